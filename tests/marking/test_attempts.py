@@ -89,6 +89,20 @@ def test_moodle(exam: Path, tmp_path: Path) -> None:
     assert float(found[first]["key"]) == pytest.approx(right[third, "1.v_B"])
 
 
+def test_a_name_beside_the_id(exam: Path, tmp_path: Path) -> None:
+    """The id of one student and the name of another are told and not marked; a name nobody has is told and marked."""
+    report = moodle_report(exam, tmp_path / "responses.csv", {"s1": "s1", "s3": "s3"})
+    lines = report.read_text("utf-8").replace("Lee,Ann", "Ray,Bob").replace("Young,Cy", "Young,Cyril")
+    report.write_text(lines, "utf-8")
+    verdicts = marked(exam, report, tmp_path / "marks")
+    assert {who for (who, _), verdict in verdicts.items() if verdict == "right"} == {"s3"}
+    left = rows(tmp_path / "marks" / "not_matched.csv")
+    assert {row["why"] for row in left} == {
+        "the class list has no such name: marked by the id alone",
+        "the words of this row name different students",
+    }
+
+
 def test_moodle_without_the_texts_of_questions(exam: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     report = moodle_report(exam, tmp_path / "responses.csv", {"s1": "s1"}, texts=False)
     assert main(["mark", str(exam), str(report), "--out", str(tmp_path / "marks")]) == 2

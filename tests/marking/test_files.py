@@ -91,15 +91,42 @@ def test_another_policy_says_whose_mark_changed(
     assert [(row["points before"], row["points"]) for row in rows(tmp_path / "two" / "changes.csv")] == [("1", "0")] * 2
 
 
+@pytest.mark.parametrize(
+    ("marks", "totals"),
+    [
+        ("code,problem,quantity,verdict,points\nCODE,1\n", "code,grade,points\nCODE,,1\n"),
+        ("code,problem,quantity,verdict,points\nCODE,1,v_B,right,2\n", "code,grade,points\nCODE\n"),
+        ("code,problem,quantity,verdict,points\nXXX-XXX,1,v_B,right,2\n", "code,grade,points\nXXX-XXX,,2\n"),
+    ],
+)
+def test_what_is_no_earlier_marking_of_the_exam(
+    marks: str, totals: str, built: Path, mark: Mark, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    code = rows(built / "key.csv")[0]["code"]
+    (tmp_path / "marks.csv").write_text(marks.replace("CODE", code), "utf-8")
+    (tmp_path / "totals.csv").write_text(totals.replace("CODE", code), "utf-8")
+    assert mark(long(tmp_path, [("s1", "1.v_B", "3")]), options=["--against", str(tmp_path)])[0] == 2
+    said = capsys.readouterr().err
+    assert ("does not have" if "XXX" in marks else "is not the table of a marking") in said
+
+
 def test_nothing_names_a_student_in_anonymous_marks(
     built: Path, mark: Mark, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """No id, name or group of the class stands in any file or message, nor a word that somebody typed for one."""
     first = order(built)[0]
-    answers = long(tmp_path, [(first, "1.v_B", "1"), ("Zed Quux", "1.v_B", "2")])
+    answers = long(tmp_path, [(first, "1.v_B", "1"), ("Zed Quux", "1.v_B", "2")], "of Ann.csv")
+    shifted = tmp_path / "shifted.csv"
+    shifted.write_text(f"student,1.v_B,2.v_O,of Zed\n{first},Ann Lee,Bob Ray\n", "utf-8")
+    several = openpyxl.Workbook()
+    several.active.title = "Zed"
+    several.active.append(["student", "problem", "quantity", "answer"])
+    several.active.append([first, "Zed Quux", "1", "v_B"])
+    several.create_sheet("Cy").append(["s1", "Ann Lee", "A"])
+    several.save(tmp_path / "Bob.xlsx")
     mark(answers)
     capsys.readouterr()
-    mark(answers, options=["--anonymous", "--json"])
+    mark(answers, shifted, tmp_path / "Bob.xlsx", options=["--anonymous", "--json"])
     out = tmp_path / "marks"
     texts = {path.name: path.read_text("utf-8") for path in out.rglob("*") if path.suffix in (".csv", ".html")}
     book = openpyxl.load_workbook(out / "marks.xlsx")
@@ -152,6 +179,66 @@ def test_the_heads_of_a_form_service(
         columns.write_text(text + "\n", "utf-8")
         assert mark(table, options=["--columns", str(columns)])[0] == 2
         assert said in capsys.readouterr().err
+
+
+def test_the_unit_of_a_column(built: Path, mark: Mark, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A number has the unit of its head or of the column ``unit``, one with a unit of its own keeps it."""
+    right = key(built)
+    first, second, third = order(built)
+    metres = {who: f"{right[who, '1.v_B'] / 100:.5g}" for who in (first, second, third)}
+    wide = tmp_path / "wide.csv"
+    wide.write_text(
+        f"student;1.v_B (м/с)\n{first};{metres[first]}\n{second};{100 * float(metres[second])}\n"
+        f"{third};{100 * float(metres[third])} cm/s\n",
+        "utf-8",
+    )
+    _, marks, _, _ = mark(wide)
+    verdicts = {row["id"]: row["verdict"] for row in marks if row["quantity"] == "v_B"}
+    assert verdicts == {first: "right", second: "wrong", third: "right"}
+    table = tmp_path / "long.csv"
+    table.write_text(
+        "student,problem,quantity,answer,unit,remark\n"
+        f"{first},1,v_B,{metres[first]},m/s,late\n{second},1,v_B,{metres[second]},\n{third},1,v_B,1,furlong\n",
+        "utf-8",
+    )
+    _, marks, _, left = mark(table)
+    verdicts = {row["id"]: row["verdict"] for row in marks if row["quantity"] == "v_B"}
+    assert verdicts == {first: "right", second: "wrong", third: "blank"}
+    assert [(row["where"], row["text"], row["why"]) for row in left] == [
+        ("long.csv, row 1", "remark", "columns that are not used"),
+        ("long.csv, row 4", "furlong", "unknown unit"),
+    ]
+    wide.write_text(f'student,"1.v_B, knots"\n{first},1\n', "utf-8")
+    assert mark(wide)[0] == 2
+    assert "unknown unit (got knots)" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("table", "said"),
+    [
+        ("student,problem,quantity,answer,answer\ns1,1,v_B,3,4\n", "several columns hold the answer"),
+        ("student,problem,quantity,value,unit,tolerance\ns1,1,v_B,3,cm/s,0.1\n", "is a key or a table of marks"),
+    ],
+)
+def test_tables_whose_heads_are_refused(
+    table: str, said: str, mark: Mark, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "table.csv").write_text(table, "utf-8")
+    assert mark(tmp_path / "table.csv")[0] == 2
+    assert said in capsys.readouterr().err
+
+
+def test_keys_and_marks_are_no_answers(built: Path, mark: Mark, tmp_path: Path) -> None:
+    mark(long(tmp_path, [("s1", "1.v_B", "3")]))
+    (tmp_path / "again.csv").write_bytes((tmp_path / "marks" / "marks.csv").read_bytes())
+    for table in (built / "key.csv", built / "key.xlsx", tmp_path / "again.csv"):
+        assert table.is_file()
+        assert mark(table)[0] == 2
+
+
+def test_every_row_without_a_student_is_told(mark: Mark, tmp_path: Path) -> None:
+    _, _, _, left = mark(long(tmp_path, [("", "1.v_B", "3"), ("", "1.v_B", "4"), ("s1", "1.v_B", "5")]))
+    assert [row["where"] for row in left] == ["long.csv, row 2", "long.csv, row 3"]
 
 
 def test_columns_far_to_the_right(built: Path, mark: Mark, tmp_path: Path) -> None:

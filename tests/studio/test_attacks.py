@@ -173,6 +173,41 @@ def test_slow_bodies_are_given_up(client: Asking, monkeypatch: pytest.MonkeyPatc
     assert client.raw("POST", "/exam/edit", raw, [b"{", None, b"}"]).status == 413
 
 
+def test_odd_values_have_a_message(client: Asking, folder: Path) -> None:
+    version = client.get("/exam/state").json()["version"]
+    for operation in (
+        {"op": "set", "path": "title", "value": "\ud800"},
+        {"op": "set", "path": "x" + ".y" * 3000, "value": 1},
+        {"op": "set", "path": f"problem[{'9' * 5000}].points", "value": 1},
+        {"op": "move", "path": "problem[1]", "to": 10**30},
+        {"op": "set", "path": "seed", "value": float("nan")},
+    ):
+        assert client.post("/exam/edit", {"operations": [operation], "version": version}).status == 400, operation
+    assert client.post("/exam/try", {"problem": 1, "form": [], "at": {}}).status == 400
+    assert client.ask("POST", "/exam/edit", content_length="9" * 5000).status == 413
+    assert (folder / "exam.toml").read_text() == EXAM
+    assert client.post("/exam/next", {"seed": "\N{SUPERSCRIPT TWO}"}).status == 200
+    for text in (
+        EXAM + "x =", EXAM.replace('"crank"', "5"), EXAM.replace('family = "four_bar"', "x = 1"),
+        EXAM.replace("points = 10", "set.phi = nan"), EXAM.replace("points = 10", "range.phi = [nan, 5]"),
+        EXAM.replace("seed = 2026", "seed = 2026\ntolerance = 1e999999"),
+    ):  # fmt: skip
+        (folder / "exam.toml").write_text(text)
+        for path in ("/exam/compose", "/exam/outline", "/exam/problem/1", "/exam/room/1", "/exam/state"):
+            assert client.get(path).status in (200, 400), (path, text)
+        assert client.post("/exam/next", {"seed": "5"}).status in (200, 400), text
+    (folder / "exam.toml").write_text(EXAM.replace("seed = 2026", "seed = 2026\ndate = 2026-01-02"))
+    edit = [{"op": "set", "path": "date", "value": "x"}]
+    assert client.post("/exam/edit", {"operations": edit, "version": version}).json()["theirs"] == "2026-01-02"
+
+
+def test_a_fault_of_the_program_is_answered(client: Asking, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("variantgen.studio.pages.exams.summary", lambda *_: 1 / 0)
+    answer = client.get("/exam/state")
+    assert answer.status == 500 and "ZeroDivisionError" in answer.json()["problems"][0]["message"]
+    assert client.get("/exam/state", host="evil.example").json()["problems"][0]["message"]
+
+
 SCRIPT = "<script>alert(1)</script><img src=x onerror=alert(1)>\"'`{{7*7}}</title>"
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import tomllib
 from pathlib import Path
 
@@ -9,7 +10,7 @@ import pytest
 
 from tests.studio.conftest import EXAM
 from variantgen.errors import InputError
-from variantgen.studio.documents.document import ConflictError, Document, RefusedError
+from variantgen.studio.documents.document import ConflictError, Document, Mistake, RefusedError
 from variantgen.studio.documents.edits import apply, read_operations
 from variantgen.studio.documents.toml_lines import parse_path, places
 
@@ -133,13 +134,73 @@ def test_undo_and_redo_go_through_restarts_and_editors(folder: Path) -> None:
     by_hand = path.read_text().replace("Homework", "Homework 2")
     path.write_text(by_hand)
     exam = document(folder)  # the studio was restarted
+    assert exam.journal.undoable and exam.journal.undoable.words == "outside"
     path.write_text(by_hand + "# end\n")
     assert exam.state().text.endswith("# end\n")
     assert exam.undo() == {"words": "outside", "about": {}}
     assert path.read_text() == by_hand
     assert exam.undo(+1) and path.read_text() == by_hand + "# end\n"
-    assert exam.undo() and exam.undo() and path.read_text() == EXAM
+    assert exam.undo() and exam.undo() and path.read_text() == EXAM.replace("points = 10", "points = 11")
+    assert exam.undo() and path.read_text() == EXAM
     assert exam.undo() is None
+    for _ in range(3):
+        exam.undo(+1)
+    assert path.read_text() == by_hand + "# end\n"
+
+
+def test_undo_keeps_what_no_clock_has_noticed(folder: Path) -> None:
+    path, exam = folder / "exam.toml", document(folder)
+    exam.edit(points(1, 11), exam.state().version)
+    version = exam.state().version
+    stamp, by_hand = path.stat(), path.read_text().replace("Homework", "homework")
+    path.write_text(by_hand)
+    os.utime(path, ns=(stamp.st_atime_ns, stamp.st_mtime_ns))
+    with pytest.raises(ConflictError):
+        exam.undo(version=version)
+    assert path.read_text() == by_hand
+    assert exam.undo() and exam.undo(+1) and path.read_text() == by_hand
+
+
+@pytest.mark.parametrize("second", ["spool", "four_bar"])
+@pytest.mark.parametrize(
+    "meanwhile",
+    [
+        {"op": "move", "path": "problem[2]", "to": 1},
+        {"op": "insert", "path": "problem", "at": 1, "value": {"family": "spool", "points": 9}},
+        {"op": "remove", "path": "problem[1]"},
+    ],
+)
+def test_an_edit_never_meets_another_problem(folder: Path, meanwhile: dict[str, object], second: str) -> None:
+    """The points of both are the same, so that the value at the path does not tell that the problem is another."""
+    text = EXAM.replace("points = 10", "points = 5").replace('"spool"', f'"{second}"')
+    (folder / "exam.toml").write_text(text)
+    exam = document(folder)
+    start = exam.state().version
+    exam.edit(read_operations([meanwhile]), start)
+    for number in (1, 2):
+        with pytest.raises(ConflictError) as conflict:
+            exam.edit(points(number, 99), start)
+        assert conflict.value.moved
+    assert "99" not in (folder / "exam.toml").read_text()
+
+
+def test_what_an_editor_saves_during_an_edit_stays(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path, exam = folder / "exam.toml", document(folder)
+    checked, saves = exam.check, ["# saved by an editor\n"]
+
+    def slow(text: str) -> list[Mistake]:
+        found = checked(text)
+        if saves:
+            path.write_text(path.read_text() + saves.pop())
+        return found
+
+    monkeypatch.setattr(exam, "check", slow)
+    exam.edit(points(1, 13), exam.state().version)
+    assert path.read_text() == EXAM.replace("points = 10", "points = 13") + "# saved by an editor\n"
+    saves.append("# again\n")
+    with pytest.raises(ConflictError):
+        exam.replace(EXAM, exam.state().version)
+    assert path.read_text().endswith("# again\n")
 
 
 def test_what_would_break_the_file_is_not_written(folder: Path) -> None:

@@ -148,3 +148,50 @@ def test_windows_and_editors_see_each_other(visit: Open) -> None:
     one.locator('[data-card="ladder/driven_at_wall"] .badge').wait_for()
     two.locator('[data-card="ladder/driven_at_wall"] .badge').wait_for()
     assert first.complaints == second.complaints == []
+
+
+@pytest.mark.parametrize("choice", ["Keep mine", "Take the file"])
+def test_a_draft_never_overwrites_what_was_changed_meanwhile(visit: Open, choice: str) -> None:
+    """While the text of the file is a draft, an editor changes the file, and so does another field of the page."""
+    window = visit()
+    page = window.open("/exam/compose")
+    page.wait_for_selector("#live svg")
+    source = page.get_by_label("Text of the file")
+    source.fill(EXAM.replace("points = 5", "pionts = 5"))
+    page.get_by_text("draft: the file stays as it was").wait_for()
+    path: Path = window.folder / "exam.toml"
+    path.write_text(EXAM.replace("Homework", "By an editor"))
+    page.get_by_label("Points of problem 1").fill("11")
+    page.get_by_label("Points of problem 1").press("Enter")
+    page.get_by_text("16\N{NO-BREAK SPACE}points").first.wait_for()
+    others = EXAM.replace("Homework", "By an editor").replace("points = 10", "points = 11")
+    assert path.read_text() == others
+    mine = EXAM.replace("points = 5", "points = 50")
+    source.fill(mine)
+    page.get_by_text("The file was changed while you wrote").wait_for()
+    assert path.read_text() == others and "By an editor" in page.locator("#oops pre").inner_text()
+    page.get_by_role("button", name=choice).click()
+    expect(page.locator("#oops")).to_be_hidden()
+    expect(source).to_have_value(mine if choice == "Keep mine" else others)
+    assert path.read_text() == (mine if choice == "Keep mine" else others)
+
+
+def test_answers_that_refuse_hold_nothing_up(visit: Open) -> None:
+    window = visit()
+    page = window.open("/exam/compose")
+    page.wait_for_selector("#live svg")
+    points = page.get_by_label("Points of problem 1")
+    page.route("**/exam/edit", lambda route: route.fulfill(status=500, content_type="text/plain", body="no JSON"))
+    points.fill("11")
+    points.press("Enter")
+    page.get_by_text("could not do this (500)").wait_for()
+    assert page.locator("#offline").is_hidden()
+    page.unroute("**/exam/edit")
+    # A studio that was started anew does not know the page: the edit waits for the new address.
+    page.route("**/exam/edit", lambda route: route.fulfill(status=403, body="{}"))
+    points.fill("12")
+    points.press("Enter")
+    page.get_by_text("This studio was started anew").wait_for()
+    page.unroute("**/exam/edit")
+    page.get_by_text("17\N{NO-BREAK SPACE}points").first.wait_for()
+    assert saved(window)["problem"][0]["points"] == 12 and page.locator("#offline").is_hidden()

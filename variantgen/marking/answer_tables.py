@@ -12,7 +12,7 @@ What a table says is kept as text, with the place where it stands; what cannot b
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -23,10 +23,9 @@ from variantgen.exam.roster.table_files import read_worksheets
 from variantgen.exam.roster.worksheet import Worksheet
 from variantgen.limits import ANSWER_COLUMNS, TITLE_ROWS
 from variantgen.marking.attempts import NO_TEXTS, AttemptReport, lacks_texts, report_of
-from variantgen.marking.heads import asked_by, kind_of, renamed
+from variantgen.marking.heads import asked_by, check_heads, in_unit, kind_of, known_unit, renamed, unit_of, unused
 
 _PROBLEM = re.compile(r"[0-9]{1,3}")
-OPEN = "?"  # so begins an answer that is still being looked at
 _STUDENT = ("code", "id", "name", "student", "surname", "first")
 
 
@@ -35,7 +34,8 @@ class HandedIn:
     """An answer as it was handed in: ``who`` has what the row says of the student, ``where`` names the row.
 
     ``quantity`` is the name that the table has, or the place of the answer in a form. ``sheet`` is the code of the
-    sheet that the question is from, where the table says it.
+    sheet that the question is from, where the table says it. ``waiting`` is an answer on a scan until somebody has
+    looked at it.
     """
 
     where: str
@@ -44,6 +44,7 @@ class HandedIn:
     quantity: str | int
     text: str
     sheet: str = ""
+    waiting: bool = False
 
 
 @dataclass(frozen=True)
@@ -114,8 +115,15 @@ class FormWords:
         return dict(zip(ends, self.problems, strict=True))
 
 
-def read_answers(paths: Sequence[Path], form: FormWords, columns: Mapping[str, str] | None = None) -> ReadAnswers:
+def read_answers(
+    paths: Sequence[Path],
+    form: FormWords,
+    columns: Mapping[str, str] | None = None,
+    names: Mapping[Path, str] | None = None,
+) -> ReadAnswers:
     """All answers of some files; ``columns`` say what heads stand for that are other words.
+
+    ``names`` are words for the files where their own and those of worksheets may name students.
 
     Raises InputError for a file that is no table, one without answers, and for a head that no table has.
     """
@@ -132,7 +140,7 @@ def read_answers(paths: Sequence[Path], form: FormWords, columns: Mapping[str, s
     for path in dict.fromkeys(paths):
         own = [sheet for (other, _), sheet in zip(sheets, named, strict=True) if other == path]
         try:
-            found = _Tables(path.name, own, form)
+            found = _Tables(path.name if names is None else names[path], own, form, names is not None)
             found.read()
         except InputError as error:
             raise error.located(str(path)) from None
@@ -145,9 +153,12 @@ def read_answers(paths: Sequence[Path], form: FormWords, columns: Mapping[str, s
 class _Tables:
     """The worksheets of one file."""
 
-    def __init__(self, name: str, sheets: Sequence[Worksheet], form: FormWords) -> None:
+    def __init__(self, name: str, sheets: Sequence[Worksheet], form: FormWords, numbered: bool) -> None:
         self.name, self.form = name, form
         self.sheets = [sheet for sheet in sheets if sheet.rows]
+        self.titles = {
+            id(sheet): str(n) if numbered and sheet.title else sheet.title for n, sheet in enumerate(sheets, 1)
+        }
         self.answers: list[HandedIn] = []
         self.left: list[NotMatched] = []
         self.corrections: list[HandedIn] = []
@@ -161,9 +172,8 @@ class _Tables:
         for sheet, read in zip(self.sheets, understood, strict=True):
             if not read and not form:  # beside the form stand the answers of the key
                 head = ", ".join(sheet.rows[0][1])[:80]
-                self.left.append(
-                    NotMatched(self._where(sheet, sheet.rows[0][0]), head, "no table of answers: left out")
-                )
+                where, why = self._where(sheet, sheet.rows[0][0]), "no table of answers: left out"
+                self.left.append(NotMatched(where, head, why, names_student=True))
         if not any(understood):
             raise InputError(
                 Problem(
@@ -190,6 +200,8 @@ class _Tables:
             heads = {column: found for column, cell in enumerate(cells) if (found := asked_by(cell))}
             if not set(kinds) & set(_STUDENT):
                 continue
+            if heads or {"problem", "quantity"} <= set(kinds):
+                check_heads(cells, kinds)
             if {"problem", "quantity", "answer"} <= set(kinds):
                 self._long(sheet, place, kinds)
                 return True
@@ -199,7 +211,8 @@ class _Tables:
         return False
 
     def _where(self, sheet: Worksheet, number: int) -> str:
-        return f"{self.name}, " + (f"worksheet {sheet.title}, " if sheet.title else "") + f"row {number}"
+        title = self.titles[id(sheet)]
+        return f"{self.name}, " + (f"worksheet {title}, " if title else "") + f"row {number}"
 
     def _filled(self, sheet: Worksheet, head: int, columns: Mapping[int, tuple[int, int]]) -> None:
         ends = self.form.corrections(sheet.rows[head][1])
@@ -225,6 +238,7 @@ class _Tables:
 
     def _long(self, sheet: Worksheet, head: int, kinds: Sequence[str]) -> None:
         places = {kind: kinds.index(kind) for kind in kinds if kind}
+        self._tell_unused(sheet, head, places.values())
         for number, cells in sheet.rows[head + 1 :]:
             row = {kind: cells[place] if place < len(cells) else "" for kind, place in places.items()}
             where = self._where(sheet, number)
@@ -232,9 +246,20 @@ class _Tables:
             if self._is_too_long(sheet, head, number, cells):
                 continue
             if not _PROBLEM.fullmatch(problem):
-                self.left.append(NotMatched(where, row["problem"][:80], "the problem is no number"))
+                self.left.append(NotMatched(where, row["problem"][:80], "the problem is no number", "", True))
                 continue
-            self.answers.append(HandedIn(where, _who(row), int(problem), row["quantity"], row["answer"]))
+            try:  # review.csv has an apostrophe where a spreadsheet would run the cell
+                text = in_unit(row["answer"].removeprefix("'"), known_unit(row.get("unit", "")))
+            except InputError as error:
+                self.left.append(NotMatched(where, row["unit"][:80], "unknown unit", error.problems[0].remedy))
+                continue
+            self.answers.append(HandedIn(where, _who(row), int(problem), row["quantity"], text))
+
+    def _tell_unused(self, sheet: Worksheet, head: int, used: Collection[int]) -> None:
+        number, cells = sheet.rows[head]
+        if others := unused(cells, used):
+            what = ", ".join(others)
+            self.left.append(NotMatched(self._where(sheet, number), what, "columns that are not used", "", True))
 
     def _is_too_long(self, sheet: Worksheet, head: int, number: int, cells: Sequence[str]) -> bool:
         """Whether a row has more cells than the head, as where a decimal comma parts them: it is told and not read."""
@@ -247,20 +272,14 @@ class _Tables:
 
     def _wide(self, sheet: Worksheet, head: int, kinds: Sequence[str], asked: Mapping[int, tuple[int, str]]) -> None:
         places = {kind: kinds.index(kind) for kind in kinds if kind in _STUDENT}
-        others = [
-            cell
-            for column, cell in enumerate(sheet.rows[head][1])
-            if cell and not kinds[column] and column not in asked
-        ]
-        if others:
-            where = self._where(sheet, sheet.rows[head][0])
-            self.left.append(NotMatched(where, ", ".join(others), "columns that are not used"))
+        units = {column: unit_of(sheet.rows[head][1][column]) for column in asked}
+        self._tell_unused(sheet, head, {*places.values(), *asked})
         for number, cells in sheet.rows[head + 1 :]:
             if self._is_too_long(sheet, head, number, cells):
                 continue
             row = {kind: cells[place] if place < len(cells) else "" for kind, place in places.items()}
             for column, (problem, quantity) in asked.items():
-                text = cells[column] if column < len(cells) else ""
+                text = in_unit(cells[column], units[column]) if column < len(cells) else ""
                 self.answers.append(HandedIn(self._where(sheet, number), _who(row), problem, quantity, text))
 
 

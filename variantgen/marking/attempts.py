@@ -45,10 +45,10 @@ class AttemptReport:
     answers: Mapping[int, Reference]  # Canvas
 
     def student(self, cells: Sequence[str]) -> tuple[str, ...]:
-        """The id in a row or else the name, in whatever order its parts stand."""
+        """The id and the name in a row, whose parts may stand in any order."""
         found = {kind: cell_of(cells, place) for kind, place in self.who.items()}
         name = found.get("name") or " ".join(filter(None, (found.get("surname"), found.get("first"))))
-        return tuple(filter(None, [found.get("id") or name]))
+        return tuple(filter(None, (found.get("id"), name)))
 
     def attempted(self, cells: Sequence[str]) -> Iterator[Attempted]:
         """The answers of a row."""

@@ -22,7 +22,16 @@ def as_drawn(finished: Finished, read: ReadAnswers) -> tuple[Finished, ReadAnswe
     chosen: dict[tuple[int, int], str] = {}
     kept: list[HandedIn] = []
     left = list(read.not_matched)
-    for item in read.answers:
+    known: dict[tuple[str, ...], tuple[str, ...]] = {}
+    for said in read.answers:
+        item = said
+        if item.sheet and item.who not in known:
+            known[item.who] = key.without_unknown_name(item.who)
+            if known[item.who] != item.who:
+                why = "the class list has no such name: marked by the id alone"
+                left.append(NotMatched(item.where, ", ".join(item.who), why, names_student=True))
+        if item.sheet:
+            item = replace(item, who=known[item.who])
         why = _choose(key, sheets, chosen, item) if item.sheet else ""
         if why:
             left.append(NotMatched(item.where, f"{item.problem}.{item.quantity}: {item.text}"[:80], why))

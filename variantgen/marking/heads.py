@@ -3,23 +3,68 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 
-from variantgen.errors import InputError, Problem
+from variantgen.errors import InputError, Problem, nearest
 from variantgen.exam.roster.worksheet import Worksheet
+from variantgen.families.units import UNITS
 from variantgen.limits import TITLE_ROWS
+from variantgen.marking.typed_number import read_number
 from variantgen.resources import languages
 from variantgen.tables import Table, read_toml
 from variantgen.wording.language import load_language
 
-_ANSWER_HEAD = re.compile(r"\s*(\d{1,3})\s*[.:]\s*(\S.*?)\s*(?:,.*|\[.*|\(.*)?")
+_ANSWER_HEAD = re.compile(r"\s*(\d{1,3})\s*[.:]\s*(\S.*?)\s*([,\[(].*)?")
+_NO_UNIT = ("", "1", "-", "–", "—")
+_REVIEW = ("read", "why", "where")  # columns of the table for review that are there to be read
 
 
 def asked_by(head: str) -> tuple[int, str] | None:
     """The problem and the quantity of a column, ``1.v_B`` or ``1.v_B, cm/s``."""
     found = _ANSWER_HEAD.fullmatch(head)
     return (int(found[1]), found[2]) if found else None
+
+
+def unit_of(head: str) -> str:
+    """The unit in the head of a column, ``1.v_B, cm/s`` or ``1.v_B (cm/s)``; '' without one. Raises InputError."""
+    found = _ANSWER_HEAD.fullmatch(head)
+    return known_unit(found[3].strip(" ,[]()"), head) if found and found[3] else ""
+
+
+def known_unit(text: str, key: str = "") -> str:
+    """A unit as its column says it, in the spelling of the program; '' for none. Raises InputError for other words."""
+    if text.strip() in _NO_UNIT:
+        return ""
+    found = read_number(f"1 {text}")
+    if found is None or found.unit is None or found.values != (1.0,):
+        raise InputError(Problem("unknown unit", key=key, value=text, remedy=nearest(text.strip(), UNITS)))
+    return found.unit.name
+
+
+def in_unit(text: str, unit: str) -> str:
+    """An answer with the unit of its column, if it is a number without one."""
+    found = read_number(text) if unit else None
+    return f"{text} {unit}" if found is not None and found.unit is None else text
+
+
+def check_heads(cells: Sequence[str], kinds: Sequence[str]) -> None:
+    """Raise InputError for a key or marks in place of answers, and for two columns that would hold the same."""
+    if "result" in kinds:
+        remedy = "name the table that the class has handed in"
+        raise InputError(
+            Problem("is a key or a table of marks: it has no answers", value=", ".join(cells), remedy=remedy)
+        )
+    for kind in ("problem", "quantity", "answer", "unit"):
+        own = [cell for cell, other in zip(cells, kinds, strict=True) if other == kind]
+        if len(own) > 1 and "problem" in kinds and "quantity" in kinds:
+            remedy = "leave the one that is meant, or give the other another head"
+            raise InputError(Problem(f"several columns hold the {kind}", value=", ".join(own), remedy=remedy))
+
+
+def unused(cells: Sequence[str], used: Collection[int]) -> list[str]:
+    """The heads of columns that nothing is read from."""
+    return [cell for place, cell in enumerate(cells) if cell and place not in used and cell not in _REVIEW]
 
 
 def kind_of(head: str) -> str:

@@ -72,13 +72,21 @@ class Key:
                     found.setdefault(word, set()).add(place)
         return {word: frozenset(places) for word, places in found.items()}
 
+    def _named(self, word: str) -> frozenset[int]:
+        ways = (word, word.casefold(), base(word), _sorted(word))
+        return next((self._students[way] for way in ways if way in self._students), frozenset())
+
+    def without_unknown_name(self, who: tuple[str, ...]) -> tuple[str, ...]:
+        """The id alone, of an id and a name of which only the id is known: platforms spell names in their own way."""
+        known = [bool(self._named(" ".join(text.split()))) for text in who]
+        return who[:1] if known == [True, False] else who
+
     def student(self, who: tuple[str, ...]) -> int:
         """The place of the one student whom all these words name wholly. Raises InputError."""
         each = []
         for text in who:
             word = " ".join(text.split())
-            ways = (word, word.casefold(), base(word), _sorted(word))
-            each.append(next((self._students[way] for way in ways if way in self._students), frozenset[int]()))
+            each.append(self._named(word))
             if not each[-1]:
                 remedy = nearest(word, (key for key in self._students if not key.startswith("variantgen:")))
                 remedy = remedy if remedy.startswith("did") else "give the code of the sheet, the id or the whole name"

@@ -15,6 +15,7 @@ _NOTHING = frozenset("-–—−/")  # what stands for nothing when it stands al
 SIGNS = {"+": 1.0, "-": -1.0, "−": -1.0, "–": -1.0}  # alone they are an answer where a sense is asked
 
 Typed = dict[tuple[int, int, str], HandedIn]
+Correction = tuple[Fraction, str]  # points, and where they are given
 
 
 def matched(key: Key, answers: Sequence[HandedIn], left: list[NotMatched]) -> Typed:
@@ -24,9 +25,10 @@ def matched(key: Key, answers: Sequence[HandedIn], left: list[NotMatched]) -> Ty
     for item in answers:
         if is_blank(item.text) and item.text.strip() not in SIGNS:
             continue
-        if item.who not in students:
-            students[item.who] = _student(key, item, left)
-        place = students[item.who]
+        who = item.who or ("", item.where)  # rows that name nobody are told one by one
+        if who not in students:
+            students[who] = _student(key, item, left)
+        place = students[who]
         if place is None:
             continue
         name, why = key.quantity(place, item.problem, item.quantity)
@@ -39,18 +41,18 @@ def matched(key: Key, answers: Sequence[HandedIn], left: list[NotMatched]) -> Ty
         if known is None:
             found[place, item.problem, name] = item
         elif item.text != known.text:
-            why = f"the same student has another answer in {known.where}: {known.text}, which stands"
-            text = f"{item.problem}.{name}: {item.text}"
+            why = f"the same student has another answer in {known.where}, which stands"
+            text = f"{item.problem}.{name}: {known.text}, then {item.text}"
             left.append(NotMatched(item.where, text, why, "strike out one of them and mark again"))
     return found
 
 
-def corrections(key: Key, typed: Sequence[HandedIn], left: list[NotMatched]) -> dict[tuple[int, int], Fraction]:
-    """Points given or taken by hand, by student and problem; what is no number or is told twice is told.
+def corrections(key: Key, typed: Sequence[HandedIn], left: list[NotMatched]) -> dict[tuple[int, int], Correction]:
+    """Points given or taken by hand and where, by student and problem; what is no number or is told twice is told.
 
     Students that cannot be matched have been told with their answers, or are here.
     """
-    found: dict[tuple[int, int], Fraction] = {}
+    found: dict[tuple[int, int], Correction] = {}
     seen: dict[tuple[int, int], str] = {}
     for item in typed:
         place = _student(key, item, left)
@@ -65,7 +67,7 @@ def corrections(key: Key, typed: Sequence[HandedIn], left: list[NotMatched]) -> 
                 left.append(NotMatched(item.where, what, "another correction of the same problem was there before"))
         else:
             seen[place, item.problem] = item.text
-            found[place, item.problem] = Fraction(repr(number.values[0]))
+            found[place, item.problem] = Fraction(repr(number.values[0])), item.where
     return found
 
 

@@ -14,7 +14,7 @@ from pathlib import Path
 from variantgen.exam.manifest import Manifest
 from variantgen.marking.answer_tables import NotMatched
 from variantgen.marking.causes import Cause
-from variantgen.marking.marks import Marked, MarkedAnswer
+from variantgen.marking.marks import Marked, MarkedAnswer, Verdict
 from variantgen.outputs.files.records import csv_rows, safe_cell
 
 MARKS, TOTALS, NOT_MATCHED = "marks.csv", "totals.csv", "not_matched.csv"
@@ -44,10 +44,19 @@ def write_marks(folder: Path, record: Manifest, marked: Marked, anonymous: bool)
 
 
 def not_matched(marked: Marked, anonymous: bool) -> list[NotMatched]:
-    """What was not matched; without words that may name a student where these are left out."""
+    """What was not matched; ``anonymous`` leaves out what the cells say, and remedies that may name a student."""
     if not anonymous:
         return list(marked.not_matched)
-    return [replace(item, text="", remedy="") if item.names_student else item for item in marked.not_matched]
+    return [replace(item, text="", remedy="" if item.names_student else item.remedy) for item in marked.not_matched]
+
+
+def without_words(marked: Marked) -> Marked:
+    """Marks in which answers that are no numbers have no text: where columns are shifted a name may stand there."""
+    found = [
+        replace(item, text="…") if item.verdict is Verdict.UNREADABLE and not item.waiting else item
+        for item in marked.marks
+    ]
+    return replace(marked, marks=tuple(found))
 
 
 def shown(points: Fraction) -> str:

@@ -41,7 +41,7 @@ def make_app(studio: Studio, token: str, port: int) -> ASGIApp:
             studio.close()
 
     routes = [route for page in PAGES for route in page.routes(studio)]
-    handlers = {VariantgenError: _refusal, BodyError: _given_up, 404: _not_found}
+    handlers = {VariantgenError: _refusal, BodyError: _given_up, 404: _not_found, Exception: _failed}
     app = Starlette(
         routes=[
             Mount("/static", StaticFiles(directory=ASSETS / "static")),
@@ -64,7 +64,7 @@ async def _warm(studio: Studio) -> None:
 def _events(studio: Studio):  # type: ignore[no-untyped-def]  # noqa: ANN202  # an endpoint of Starlette
     async def events(request: Request) -> Response:
         last = request.headers.get("last-event-id", "")
-        stream = studio.events.listen(int(last) if last.isdigit() and len(last) < 12 else None)
+        stream = studio.events.listen(int(last) if last.isascii() and last.isdigit() and len(last) < 12 else None)
         return StreamingResponse(stream, media_type="text/event-stream")
 
     return events
@@ -73,7 +73,8 @@ def _events(studio: Studio):  # type: ignore[no-untyped-def]  # noqa: ANN202  # 
 async def _refusal(request: Request, error: VariantgenError) -> Response:
     """What a mistake is answered: a page for who looks at one, else its problems."""
     if isinstance(error, ConflictError):
-        return JSONResponse({"conflict": error.path, "mine": plain(error.mine), "theirs": plain(error.theirs)}, 409)
+        values = {"mine": plain(error.mine), "theirs": plain(error.theirs)}
+        return JSONResponse({"conflict": error.path, **values, "moved": error.moved}, 409)
     if isinstance(error, RefusedError):
         return JSONResponse({"problems": [vars(problem) for problem in error.problems]}, 422)
     status = 404 if isinstance(error, UnknownKeyError) else 400
@@ -86,6 +87,14 @@ async def _refusal(request: Request, error: VariantgenError) -> Response:
 
 async def _given_up(_: Request, __: BodyError) -> Response:
     return JSONResponse({"problems": [{"key": "", "message": "the request is too large or too slow"}]}, 413)
+
+
+async def _failed(request: Request, error: Exception) -> Response:
+    """What a fault of the program is answered; its name helps who is told of it."""
+    message = f"the program has a fault here: {type(error).__name__}"
+    if wants_page(request):
+        return error_page(request, 500, message)
+    return JSONResponse({"problems": [{"key": "", "message": message, "remedy": "", "line": 0}]}, 500)
 
 
 async def _not_found(request: Request, _: Exception) -> Response:

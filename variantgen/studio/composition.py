@@ -14,6 +14,7 @@ from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.studio.catalogue import ONLY, family_files, family_version, form_titles, own_folders
 from variantgen.studio.documents.document import Document
+from variantgen.studio.documents.journal import version_of
 from variantgen.studio.figures import FIRST_SEED
 from variantgen.studio.summary import problems_of
 from variantgen.studio.workspace import Workspace
@@ -24,19 +25,25 @@ if TYPE_CHECKING:
     from variantgen.families.family import Family, Form
     from variantgen.variants.variant import Variant
 
+_LARGEST = 1000  # share that is shown
 _LISTED = 4  # symbols of what is asked, in the list
 
 
 def names_of(table: Mapping[str, Any]) -> list[str]:
-    """The families of the table of a problem."""
+    """The families of the table of a problem. Raises InputError where there are none."""
     found = table.get("families") or ([table["family"]] if isinstance(table.get("family"), str) else [])
-    return [name for name in found if isinstance(name, str)] if isinstance(found, list) else []
+    names = [name for name in found if isinstance(name, str)] if isinstance(found, list) else []
+    if not names:
+        raise InputError(Problem("missing, expected the name of a family", key="family"))
+    return names
 
 
 def forms_of(table: Mapping[str, Any]) -> tuple[str, ...]:
     """The forms that the table of a problem names."""
     found = table.get("form", ())
-    return (found,) if isinstance(found, str) else tuple(name for name in found if isinstance(name, str))
+    if isinstance(found, str):
+        return (found,)
+    return tuple(name for name in found if isinstance(name, str)) if isinstance(found, list) else ()
 
 
 def table_of(document: Document, number: int) -> Mapping[str, Any]:
@@ -76,9 +83,13 @@ def listed(document: Document, workspace: Workspace, language: str) -> list[dict
     files = family_files(workspace)
     found = []
     for number, table in enumerate(problems_of(document), start=1):
-        names = names_of(table)
+        try:
+            names = names_of(table)
+        except InputError:  # said at its line
+            names = []
         row: dict[str, Any] = {
             "number": number,
+            "key": version_of(repr(table)),
             "title": " / ".join(names),
             "points": table.get("points", ""),
             "asked": [],
@@ -114,8 +125,6 @@ def problem(
     """All that can be chosen of a problem, for one of its families and forms. Raises InputError."""
     table = table_of(document, number)
     names = names_of(table)
-    if not names:
-        raise InputError(Problem("missing, expected the name of a family", key=f"problem[{number}].family"))
     name = name if name in names else names[0]
     family = load_family(name, own_folders(workspace))
     taken = [n for n in family.forms if not forms_of(table) or n in forms_of(table)] or list(family.forms)
@@ -174,10 +183,12 @@ def _ranges(table: Mapping[str, Any], family: Family, form: Form, language: str)
 def _limits(fixed: Any, limits: Any, grid: Sequence[Decimal]) -> tuple[int, int]:
     """The places in a grid of the lowest and the highest value that an exam leaves."""
     last = len(grid) - 1
-    if isinstance(fixed, int | Decimal):
+    if isinstance(fixed, int | Decimal) and Decimal(fixed).is_finite():
         place = min(range(len(grid)), key=lambda i: abs(grid[i] - fixed))
         return place, place
-    if not (isinstance(limits, list) and len(limits) == 2 and all(isinstance(x, int | Decimal) for x in limits)):
+    if not (isinstance(limits, list) and len(limits) == 2):
+        return 0, last
+    if not all(isinstance(x, int | Decimal) and Decimal(x).is_finite() for x in limits):
         return 0, last
     inside = [i for i, value in enumerate(grid) if limits[0] <= value <= limits[1]]
     return (inside[0], inside[-1]) if inside else (0, last)
@@ -189,7 +200,13 @@ def _number(value: Decimal) -> str:
 
 def _tolerance(found: Any) -> str:
     floor = found.get("floor") if isinstance(found, dict) else found
-    return _number(Decimal(floor) * 100) if isinstance(floor, int | Decimal) else ""
+    return percent(floor)
+
+
+def percent(value: Any) -> str:
+    """A share as percent; '' for what is none."""
+    share = Decimal(value) if isinstance(value, int | Decimal) else Decimal("nan")
+    return _number(share * 100) if share.is_finite() and abs(share) < _LARGEST else ""
 
 
 def model(family: Family, name: str) -> Variant:

@@ -17,12 +17,18 @@ async def read_json(request: Request) -> dict[str, Any]:
     if request.headers.get("content-type", "").partition(";")[0].strip() != "application/json":
         raise InputError(Problem("expected JSON"))
     try:
-        found = json.loads(await request.body())
+        found = json.loads(await request.body(), parse_constant=_no_number)
+        json.dumps(found, ensure_ascii=False).encode()  # letters that no file can hold
     except (ValueError, RecursionError):
         raise InputError(Problem("expected JSON")) from None
     if not isinstance(found, dict):
         raise InputError(Problem("expected a table"))
     return found
+
+
+def _no_number(name: str) -> None:
+    """NaN and infinities, which Python reads as numbers of JSON."""
+    raise ValueError(name)
 
 
 def text_of(data: dict[str, Any], name: str, most: int = 200) -> str:

@@ -13,12 +13,13 @@ Answers get a policy under which no page runs a script or a style that is not a 
 from __future__ import annotations
 
 import asyncio
+import logging
 import secrets
 from http.cookies import CookieError, SimpleCookie
 from urllib.parse import parse_qs
 
 from starlette.datastructures import Headers, MutableHeaders
-from starlette.responses import PlainTextResponse, RedirectResponse, Response
+from starlette.responses import JSONResponse, RedirectResponse, Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from variantgen.limits import ROSTER_BYTES
@@ -40,6 +41,7 @@ _HEADERS = {
 EDIT_BYTES = 1_000_000  # of the body of an edit
 UPLOAD_BYTES = ROSTER_BYTES  # of an upload (PUT)
 BODY_SECONDS = 20.0  # in which the next piece of a body must have come
+_LOG = logging.getLogger("variantgen.studio")
 _READING = ("GET", "HEAD")
 _METHODS = (*_READING, "POST", "PUT")
 
@@ -61,7 +63,10 @@ class Guard:
             if refused is not None:
                 await refused(scope, receive, _with_headers(send))
             else:
-                await self._app(scope, _bounded(scope, receive), _with_headers(send))
+                try:
+                    await self._app(scope, _bounded(scope, receive), _with_headers(send))
+                except Exception as error:  # noqa: BLE001  # it has been answered; the next request is not its fault
+                    _LOG.error("%s %s: %s: %s", scope["method"], scope["path"], type(error).__name__, error)
         elif scope["type"] == "websocket":
             await send({"type": "websocket.close", "code": 1008})
 
@@ -110,7 +115,7 @@ def _size_refusal(headers: Headers, method: str) -> Response | None:
     size = headers.get("content-length", "0")
     if not size.isascii() or not size.isdigit():
         return _refused("a size is a number", 400)
-    return _refused("too large", 413) if int(size) > _most(method) else None
+    return _refused("too large", 413) if len(size) > 12 or int(size) > _most(method) else None
 
 
 def _most(method: str) -> int:
@@ -118,7 +123,7 @@ def _most(method: str) -> int:
 
 
 def _refused(text: str, status: int) -> Response:
-    return PlainTextResponse(text + "\n", status)
+    return JSONResponse({"problems": [{"key": "", "message": text, "remedy": "", "line": 0}]}, status)
 
 
 class BodyError(Exception):

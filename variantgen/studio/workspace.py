@@ -11,6 +11,7 @@ import os
 import re
 import tempfile
 import tomllib
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -80,8 +81,11 @@ def is_own(path: Path, folder: Path) -> bool:
     return path.is_file() and path.resolve() == folder.resolve() / path.relative_to(folder)
 
 
-def write_whole(path: Path, content: str | bytes) -> None:
-    """Write a file so that it is there whole or as it was: a temporary file beside it takes its place."""
+def write_whole(path: Path, content: str | bytes, compare: Callable[[], None] = lambda: None) -> None:
+    """Write a file so that it is there whole or as it was: a temporary file beside it takes its place.
+
+    ``compare`` is called last and may raise where the file must not be replaced after all.
+    """
     data = content.encode() if isinstance(content, str) else content
     handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.", suffix=".part")
     try:
@@ -93,6 +97,7 @@ def write_whole(path: Path, content: str | bytes) -> None:
             Path(name).chmod(path.stat().st_mode & 0o777)
         else:
             Path(name).chmod(0o644 & ~_umask())
+        compare()
         os.replace(name, path)  # noqa: PTH105  # as in the other places that write whole files
     except BaseException:
         Path(name).unlink(missing_ok=True)

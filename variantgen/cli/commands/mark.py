@@ -13,7 +13,7 @@ from variantgen.cli.options import add_families
 from variantgen.errors import InputError
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Collection, Sequence
 
     from variantgen.exam.marking_policy import MarkingPolicy
     from variantgen.finished.restore import Finished
@@ -30,7 +30,7 @@ DESCRIPTION = (
     "What is wrong is compared with plausible mistakes. Several files add up; what cannot be matched or read\n"
     "is listed, and nothing is guessed."
 )
-_SHOWN = 20
+_SHOWN, _LONGEST = 20, 120  # of what is told: items, characters of a text
 _BOOK = "marks.xlsx"
 
 
@@ -71,7 +71,7 @@ def run(arguments: argparse.Namespace) -> int:
     from variantgen.marking.marks import mark
     from variantgen.marking.pages import FILES as PAGES
     from variantgen.marking.pages import write_pages
-    from variantgen.marking.records import FILES, not_matched, write_marks
+    from variantgen.marking.records import FILES, not_matched, without_words, write_marks
     from variantgen.marking.scan import review
     from variantgen.outputs.files.folder import check_free, whole_folder
 
@@ -80,11 +80,13 @@ def run(arguments: argparse.Namespace) -> int:
     finished = restore(read_manifest(arguments.folder), family_folders(arguments.families))
     asked = Key(finished.record).asked
     policy = read_policy_file(arguments.policy, asked) if arguments.policy else finished.exam.marking
-    earlier = _earlier(arguments.against, arguments.out)
+    earlier = _earlier(arguments.against, arguments.out, {sheet.code for sheet in finished.record.sheets})
     with_book = find_spec("xlsxwriter") is not None
     changed: list[changes.Change] = []
     finished, read, joined = _read(arguments, finished, policy)
     found = mark(finished, read, policy)
+    if arguments.anonymous:
+        found = without_words(found)
     with whole_folder(arguments.out, arguments.force, lambda: known) as work:
         write_marks(work, finished.record, found, arguments.anonymous)
         write_pages(work, finished, found, arguments.anonymous, arguments.steps)
@@ -98,7 +100,9 @@ def run(arguments: argparse.Namespace) -> int:
             changed = changes.changes(finished.record, found, earlier)
             changes.write_changes(work, finished.record, changed, arguments.anonymous)
         if joined is not None:
-            review.write_review(work, finished, joined.scans.doubtful, joined.typed, joined.scans.lost)
+            review.write_review(
+                work, finished, joined.scans.doubtful, joined.typed, joined.scans.lost, arguments.anonymous
+            )
         written = sorted(path.name for path in work.iterdir())
     if arguments.json:
         say(_json(found, arguments.anonymous))
@@ -130,11 +134,12 @@ def _read(
     scans = [path for path in arguments.answers if is_picture(path)]
     check_readings_kept(arguments.out, tables)
     columns = read_columns(arguments.columns) if arguments.columns else None
-    read = read_answers(tables, FormWords.of(finished.exam), columns) if tables else ReadAnswers((), ())
+    names = {path: f"file {n}" for n, path in enumerate(arguments.answers, 1)} if arguments.anonymous else None
+    read = read_answers(tables, FormWords.of(finished.exam), columns, names) if tables else ReadAnswers((), ())
     finished, read = as_drawn(finished, read)
     if not scans:
         return finished, read, None
-    joined = join(finished, read, scans, policy)
+    joined = join(finished, read, scans, policy, names)
     return finished, joined.answers, joined
 
 
@@ -143,11 +148,16 @@ def _tell_left(left: Sequence[NotMatched]) -> None:
     for item in left[:_SHOWN]:
         tell(
             f"{item.where}: {item.why}"
-            + (f" (got {item.text})" if item.text else "")
+            + (f" (got {_short(item.text)})" if item.text else "")
             + (f"\n    {item.remedy}" if item.remedy else "")
         )
     if len(left) > _SHOWN:
         tell(f"and {len(left) - _SHOWN} more, see not_matched.csv")
+
+
+def _short(text: str) -> str:
+    """A text that is not too long to tell: files have the whole one."""
+    return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}..."
 
 
 def _tell_open(found: Marked) -> None:
@@ -160,15 +170,15 @@ def _tell_open(found: Marked) -> None:
         tell(f"    type what you see into {TABLE} and mark again with it")
 
 
-def _earlier(against: Path | None, out: Path) -> Earlier | None:
+def _earlier(against: Path | None, out: Path, codes: Collection[str]) -> Earlier | None:
     """The marks to compare with: those that are named, or those that are replaced; None where there are none."""
     from variantgen.marking.changes import read_marking
     from variantgen.marking.records import MARKS
 
     if against is not None:
-        return read_marking(against)
+        return read_marking(against, codes)
     try:
-        return read_marking(out) if (out / MARKS).is_file() else None
+        return read_marking(out, codes) if (out / MARKS).is_file() else None
     except InputError:
         return None  # whoever replaces a damaged marking has nothing to compare with
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import threading
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from variantgen.errors import InputError, Problem, VariantgenError
 from variantgen.studio.documents.edits import Operation, apply, value_at
 from variantgen.studio.documents.journal import Journal, version_of
+from variantgen.studio.documents.toml_lines import Path as Path_
 from variantgen.studio.documents.toml_lines import parse_path, places, written_path
 from variantgen.studio.workspace import is_own, write_whole
 from variantgen.tables import parse_toml, read_text
@@ -21,10 +23,13 @@ if TYPE_CHECKING:
 
 
 class ConflictError(VariantgenError):
-    """The key was changed in the meantime: ``mine`` is what was to be written, ``theirs`` what is there now."""
+    """The key was changed in the meantime: ``mine`` is what was to be written, ``theirs`` what is there now.
 
-    def __init__(self, path: str, mine: Any, theirs: Any) -> None:
-        self.path, self.mine, self.theirs = path, mine, theirs
+    ``moved``: the path may mean something else by now, because the list that it goes through has another order.
+    """
+
+    def __init__(self, path: str, mine: Any, theirs: Any, moved: bool = False) -> None:
+        self.path, self.mine, self.theirs, self.moved = path, mine, theirs, moved
         super().__init__(f"{path} was changed in the meantime")
 
 
@@ -34,6 +39,10 @@ class RefusedError(VariantgenError):
     def __init__(self, problems: Sequence[Mistake]) -> None:
         self.problems = tuple(problems)
         super().__init__("; ".join(problem.message for problem in problems))
+
+
+class _OvertakenError(Exception):
+    """Another program has saved the file while a change was made."""
 
 
 @dataclass(frozen=True)
@@ -59,7 +68,7 @@ class State:
 class Document:
     """An exam file that is changed from several windows and by editors.
 
-    ``own_folders``: whether families lie beside it. Its methods may be called from any thread.
+    Its methods may be called from any thread.
     """
 
     def __init__(self, key: str, path: Path, folder: Path, journal: Path) -> None:
@@ -68,6 +77,7 @@ class Document:
         self.journal = Journal(journal)
         self._seen: tuple[int, int] = (0, 0)
         self._state = self._read()
+        self.journal.follow(self._state.text)  # it may have been changed while no studio ran
 
     def _read(self) -> State:
         """The file as it is now. Raises InputError."""
@@ -139,25 +149,31 @@ class Document:
             mistakes.append(Mistake(line, problem.key, problem.message + value, problem.remedy))
         return mistakes
 
-    def edit(self, operations: Sequence[Operation], version: str, window: str = "", about: str = "") -> State:
-        """Change the file by operations that were made on a version of it.
+    def edit(self, operations: Sequence[Operation], version: str, window: str = "", about: str = "") -> bool:
+        """Change the file by operations that were made on a version of it; whether others have changed it since.
 
         Raises ConflictError, RefusedError, or InputError for operations that do not fit.
         """
         with self._lock:
-            self.refresh()
-            if self._state.broken:
-                raise InputError(Problem(self._state.broken, file=self.path.name, remedy="correct the text first"))
-            self._compare(operations, version)
-            return self._put(apply(self._state.text, operations), *_described(operations, about), window)
+            while True:
+                self.refresh()
+                if self._state.broken:
+                    raise InputError(Problem(self._state.broken, file=self.path.name, remedy="correct the text first"))
+                self._compare(operations, version)
+                merged = version != self._state.version
+                with contextlib.suppress(_OvertakenError):
+                    self._put(apply(self._state.text, operations), *_described(operations, about), window)
+                    return merged
 
     def replace(self, text: str, version: str, window: str = "") -> State:
         """Put another text into the file. Raises ConflictError, or RefusedError for a text with new mistakes."""
         with self._lock:
-            self.refresh()
-            if version != self._state.version:
-                raise ConflictError("", text, self._state.text)
-            return self._put(text, "text", {}, window)
+            while True:
+                self.refresh()
+                if version != self._state.version:
+                    raise ConflictError("", text, self._state.text)
+                with contextlib.suppress(_OvertakenError):
+                    return self._put(text, "text", {}, window)
 
     def _put(self, text: str, words: str, about: dict[str, str], window: str) -> State:
         """Write a new text, unless it has mistakes that the file has not."""
@@ -173,9 +189,16 @@ class Document:
         return self._state
 
     def _write(self, text: str) -> None:
+        """Write a new text in place of the present one. Raises _OvertakenError where the file is not as it was."""
         if self.path.is_symlink():
             raise InputError(Problem("is a link", file=self.path.name))
-        write_whole(self.path, text)
+
+        def compare() -> None:
+            if self._read().text != self._state.text:
+                self._seen = (0, 0)
+                raise _OvertakenError
+
+        write_whole(self.path, text, compare)
         status = self.path.stat()
         self._seen = (status.st_mtime_ns, status.st_size)
         self._state = _state(text, self.path)
@@ -189,20 +212,33 @@ class Document:
         for operation in operations:
             path = operation.touched
             now = value_at(self._state.data, path)
+            if then is not None and not _same_place(then, self._state.data, path):
+                raise ConflictError(written_path(operation.path), operation.value, now, moved=True)
             if then is None or value_at(then, path) != now:
-                raise ConflictError(written_path(operation.path), operation.value, now)
+                raise ConflictError(
+                    written_path(operation.path), operation.value, now, then is None and _through_list(path)
+                )
 
-    def undo(self, by: int = -1) -> dict[str, Any] | None:
-        """Take the last step back (or do it again, +1); what it was, or None if there is none."""
+    def undo(self, by: int = -1, version: str | None = None) -> dict[str, Any] | None:
+        """Take the last step back (or do it again, +1); what it was, or None if there is none.
+
+        Raises ConflictError where the file has another version than the one that was seen.
+        """
         with self._lock:
+            self._seen = (0, 0)  # what was saved within the same tick of the clock counts, too
             self.refresh()
+            if version is not None and version != self._state.version:
+                raise ConflictError("", None, None, moved=True)
             step = self.journal.undoable if by < 0 else self.journal.redoable
             if step is None:
                 return None
             text = self.journal.text(step.before if by < 0 else step.after)
             if text is None:
                 return None
-            self._write(text)
+            try:
+                self._write(text)
+            except _OvertakenError:
+                raise ConflictError("", None, None, moved=True) from None
             self.journal.move(by)
             return {"words": step.words, "about": step.about}
 
@@ -212,6 +248,31 @@ def _state(text: str, path: Path) -> State:
         return State(text, version_of(text), parse_toml(text, path))
     except InputError as error:
         return State(text, version_of(text), {}, error.problems[0].message)
+
+
+def _same_place(then: Any, now: Any, path: Path_) -> bool:
+    """Whether a path through a list means the same table in both contents: it is equal, or none has changed place."""
+    place = next((i for i, part in enumerate(path) if isinstance(part, int)), None)
+    if place is None:
+        return True
+    old, new = value_at(then, path[:place]), value_at(now, path[:place])
+    table = path[: place + 1]
+    if value_at(then, table) == value_at(now, table):
+        return True
+    if not (isinstance(old, list) and isinstance(new, list) and len(old) == len(new)):
+        return False
+    changed = [(before, after) for before, after in zip(old, new, strict=True) if before != after]
+    afterwards = [after for _, after in changed]
+    return all(_kind(before) == _kind(after) and before not in afterwards for before, after in changed)
+
+
+def _through_list(path: Path_) -> bool:
+    return any(isinstance(part, int) for part in path)
+
+
+def _kind(table: Any) -> Any:
+    """What a problem draws from, by which it is known."""
+    return (table.get("family"), table.get("families")) if isinstance(table, dict) else None
 
 
 def _line_of(message: str) -> int:

@@ -24,6 +24,8 @@ from variantgen.studio.documents.toml_lines import Entry, Path, Places, parse_pa
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
 _OPERATIONS = ("set", "unset", "insert", "remove", "move")
 _MOST = 100  # operations of one edit
+_LARGEST = Decimal("1e300")  # beyond which JSON has no number
+_PLACES = 10_000  # of a list
 
 
 @dataclass(frozen=True)
@@ -53,7 +55,7 @@ def _operation(item: Any) -> Operation:
         raise InputError(Problem("expected an operation with a path", key="operations", value=str(item)[:80]))
     op, path = item["op"], parse_path(item["path"])
     place = item.get("at" if op == "insert" else "to", 1)
-    if not path or not isinstance(place, int):
+    if not path or not isinstance(place, int) or not 0 <= place <= _PLACES:
         raise InputError(Problem("expected a key and a place", key="operations", value=str(item)[:80]))
     if op in ("remove", "move") and not isinstance(path[-1], int):
         raise InputError(Problem("expected a table of a list", key=item["path"]))
@@ -124,7 +126,9 @@ def plain(value: object) -> object:
         return [plain(item) for item in value]
     if isinstance(value, dict):
         return {name: plain(item) for name, item in value.items()}
-    return value if isinstance(value, str | int | bool) or value is None else float(str(value))
+    if isinstance(value, Decimal):
+        return float(value) if value.is_finite() and abs(value) < _LARGEST else str(value)
+    return value if isinstance(value, str | int | bool) or value is None else str(value)
 
 
 def _written_key(name: str) -> str:
@@ -136,7 +140,10 @@ def _name(operation: Operation) -> str:
 
 
 def _data(text: str) -> dict[str, Any]:
-    return tomllib.loads(text, parse_float=Decimal)
+    try:
+        return tomllib.loads(text, parse_float=Decimal)
+    except (ValueError, RecursionError) as error:
+        raise InputError(Problem(f"is not valid TOML: {error}", remedy="correct the text first")) from None
 
 
 def _meant(data: dict[str, Any], operation: Operation) -> dict[str, Any]:

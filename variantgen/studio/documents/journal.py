@@ -91,6 +91,19 @@ class Journal:
         self.done = len(self.steps)
         self._write()
 
+    def follow(self, text: str) -> None:
+        """Note a present text that no step has led to, so that it can be gone back to."""
+        if not self.steps:
+            return
+        last = self.steps[self.done - 1].after if self.done else self.steps[0].before
+        if last == version_of(text):
+            return
+        before = self.text(last)
+        if before is None:  # its texts are gone: nothing can be taken back
+            self.steps, self.done = [], 0
+        else:
+            self.add(before, text, "outside", {}, "")
+
     def _forget(self, version: str) -> None:
         if not any(version in (step.before, step.after) for step in self.steps[-_STEPS:]):
             (self._folder / f"{version}.toml").unlink(missing_ok=True)

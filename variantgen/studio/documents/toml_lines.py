@@ -10,10 +10,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TypeAlias
 
+from variantgen.errors import InputError, Problem
+from variantgen.limits import KEY_PARTS
+
 Path: TypeAlias = tuple[str | int, ...]  # keys, and numbers of the tables of a list from 0
 
 _HEADER = re.compile(r"[ \t]*(\[\[?)([^\]\n]*)\]\]?")
 _KEY_PART = re.compile(r"""[ \t]*(?:([A-Za-z0-9_-]+)|"((?:[^"\\\n]|\\.)*)"|'([^'\n]*)')[ \t]*(\.?)""")
+_LONGEST = 1000  # letters of a key
 _STRINGS = ('"""', "'''", '"', "'")
 
 
@@ -61,9 +65,15 @@ class Places:
 
 
 def parse_path(key: str) -> Path:
-    """The path of a key as messages write it: ``problem[3].range.phi`` is ("problem", 2, "range", "phi")."""
+    """The path of a key as messages write it: ``problem[3].range.phi`` is ("problem", 2, "range", "phi").
+
+    Raises InputError for one that is longer than any key.
+    """
     found: list[str | int] = []
-    for part in re.findall(r"[^.\[\]]+|\[\d+\]", key):
+    parts = re.findall(r"[^.\[\]]+|\[[0-9]{1,6}\]", key)
+    if len(parts) > KEY_PARTS or len(key) > _LONGEST:
+        raise InputError(Problem("is longer than any key", value=key[:40]))
+    for part in parts:
         found.append(int(part[1:-1]) - 1 if part.startswith("[") else part)
     return tuple(found)
 

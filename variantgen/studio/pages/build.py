@@ -69,7 +69,7 @@ def routes(studio: Studio) -> list[Route]:
         seed = text_of(data, "seed", 40).strip()
         if not seed:
             raise InputError(Problem("missing, expected another series", key="seed"))
-        value = int(seed) if seed.isdigit() and len(seed) < 16 else seed
+        value = int(seed) if seed.isascii() and seed.isdigit() and len(seed) < 16 else seed
         text = apply(document.state().text, read_operations([{"op": "set", "path": "seed", "value": value}]))
         path = studio.workspace.new_exam_path(f"{document.path.stem}-{seed}")
         write_whole(path, text)

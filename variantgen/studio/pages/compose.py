@@ -113,6 +113,8 @@ def _source(document: Document) -> dict[str, Any]:
 
 def _settings(document: Document) -> dict[str, Any]:
     """What the exam says of itself, as fields show it."""
+    from variantgen.studio.composition import percent
+
     data = document.state().data
     tolerance = data.get("tolerance", Decimal("0.01"))
     inside = tolerance if isinstance(tolerance, dict) else {"floor": tolerance}
@@ -120,10 +122,6 @@ def _settings(document: Document) -> dict[str, Any]:
     found = {name: data.get(name, "") for name in ("title", "course", "date", "duration", "instructions", "language")}
     found |= {"seed": data.get("seed", 0), "depth": solutions.get("depth", "full")}
     found |= {"duplex": page.get("duplex", True), "qr": page.get("qr", True)}
-    found |= {"floor": _percent(inside.get("floor")), "ceiling": _percent(inside.get("ceiling"))}
+    found |= {"floor": percent(inside.get("floor")), "ceiling": percent(inside.get("ceiling"))}
     found["table"] = isinstance(tolerance, dict)
     return {name: "" if isinstance(value, dict) else value for name, value in found.items()}
-
-
-def _percent(value: Any) -> str:
-    return f"{(Decimal(value) * 100).normalize():f}" if isinstance(value, int | Decimal) else ""

@@ -12,7 +12,7 @@ from variantgen.errors import InputError, Problem
 from variantgen.studio.documents.document import Document
 from variantgen.studio.documents.edits import read_operations, written
 from variantgen.studio.frame import command, language_of, render, step_words
-from variantgen.studio.requests import read_json, text_of
+from variantgen.studio.requests import WINDOW, read_json, text_of
 from variantgen.studio.studio import Studio
 from variantgen.studio.summary import problems_of, summary
 from variantgen.studio.words import page_words
@@ -48,14 +48,14 @@ def routes(studio: Studio) -> list[Route]:
     async def edit(request: Request) -> Response:
         data, document = await read_json(request), studio.document(request.path_params["exam"])
         operations = read_operations(data.get("operations"))
-        window = text_of(data, "window", 40)
-        document.edit(operations, text_of(data, "version"), window, text_of(data, "about"))
+        window, version = text_of(data, "window", WINDOW), text_of(data, "version")
+        merged = document.edit(operations, version, window, text_of(data, "about"))
         studio.tell_changed(document, window)
-        return JSONResponse(answer(request, studio, document))
+        return JSONResponse({**answer(request, studio, document), "merged": merged})
 
     async def text(request: Request) -> Response:
         data, document = await read_json(request), studio.document(request.path_params["exam"])
-        window = text_of(data, "window", 40)
+        window = text_of(data, "window", WINDOW)
         document.replace(text_of(data, "text", 200_000), text_of(data, "version"), window)
         studio.tell_changed(document, window)
         return JSONResponse(answer(request, studio, document))
@@ -66,8 +66,8 @@ def routes(studio: Studio) -> list[Route]:
     def moving(by: int) -> Any:
         async def move(request: Request) -> Response:
             data, document = await read_json(request), studio.document(request.path_params["exam"])
-            step = document.undo(by)
-            studio.tell_changed(document, text_of(data, "window", 40))
+            step = document.undo(by, text_of(data, "version"))
+            studio.tell_changed(document, text_of(data, "window", WINDOW))
             return JSONResponse({**answer(request, studio, document), "done": step is not None})
 
         return move

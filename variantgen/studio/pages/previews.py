@@ -92,9 +92,10 @@ def _tried(studio: Studio, document: Document, data: dict[str, Any], language: s
     number, words = number_of(data.get("problem"), "problem", 1, _MOST), page_words(language).of("compose")
     table = table_of(document, number)
     names = names_of(table)
-    name = text_of(data, "family") if data.get("family") in names else names[0]
+    name, form = text_of(data, "family"), text_of(data, "form")
+    name = name if name in names else names[0]
     family = narrowed(table, name, studio.workspace)
-    form = text_of(data, "form") if data.get("form") in family.forms else next(iter(family.forms))
+    form = form if form in family.forms else next(iter(family.forms))
     try:
         base = model(family, form)
     except InputError:  # too narrow: a figure of the whole family, with the values of the sliders

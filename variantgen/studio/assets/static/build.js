@@ -47,7 +47,7 @@ $("variants")?.addEventListener("input", event => {
 // ---- what was built
 async function archive() {
   const answer = await fetch(`/${exam}/archive?${asked}`);
-  $("archive").innerHTML = await answer.text();
+  if (answer.ok) $("archive").innerHTML = await answer.text();
   $("archive").setAttribute("aria-busy", "false");
 }
 $("archive").addEventListener("click", async event => {

@@ -1,5 +1,5 @@
 // Choose: cards that are filtered, searched, drawn again, starred, put into the exam.
-import { $, all, complain, edit, el, exam, fill, get, icon, lang, note, post, typing, undo } from "./studio.js";
+import { $, all, complain, edit, el, exam, fill, get, icon, lang, note, onOutside, post, typing, undo } from "./studio.js";
 
 const page = document.querySelector(".choose"), words = JSON.parse(page.dataset.words);
 const shelf = $("cards"), filters = $("filters");
@@ -42,7 +42,7 @@ async function toggle(card) {
     show();
   } catch (error) { complain(error); }
 }
-addEventListener("outside", async () => { chosen = (await get(`/${exam}/chosen`)).chosen; show(); });
+onOutside(async () => { chosen = (await get(`/${exam}/chosen`)).chosen; show(); });
 $("go").addEventListener("click", event => { if (!chosen.length) { event.preventDefault(); filters.q.focus(); } });
 
 // ---- filters

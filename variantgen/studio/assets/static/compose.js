@@ -1,9 +1,10 @@
 // Compose: the list of problems, one problem with its sliders, the sheet of a student, the text of the file.
-import { $, all, complain, edit, el, exam, fill, get, icon, lang, note, post, replaceText, state, typing, undo } from "./studio.js";
+import { $, all, complain, edit, el, exam, fill, get, icon, lang, note, onOutside, post, replaceText, typing, undo } from "./studio.js";
 
 const page = document.querySelector(".compose"), words = JSON.parse(page.dataset.words);
 const outline = $("outline"), inspect = $("inspect");
 const asked = new URLSearchParams({ lang });
+let drafting = false, begun = "";  // whether the text is a draft, and the version at which that was begun
 let current = Math.max(1, Number(location.hash.slice(1)) || 1), family = "", form = "", count = 0, source = { text: "", lines: [], mistakes: [] };
 const late = (work, ms) => { let timer; return (...given) => { clearTimeout(timer); timer = setTimeout(() => work(...given), ms); }; };
 const html = async url => { const answer = await fetch(url); if (!answer.ok) throw new Error((await answer.json()).problems[0].message); return answer.text(); };
@@ -17,7 +18,8 @@ async function list() {
   outline.innerHTML = data.html; outline.setAttribute("aria-busy", "false");
   if (row) {  // whoever is in the list stays there
     const same = all("li", outline).find(one => one.dataset.number === row.dataset.number)?.querySelector(at.className ? `.${at.className}` : at.tagName);
-    if (same?.matches("input") && typed !== at.defaultValue) same.value = typed;
+    const kept = same?.closest("li").dataset.key === row.dataset.key;  // what was typed for another problem is dropped
+    if (same?.matches("input") && typed !== at.defaultValue && kept) same.value = typed;
     same?.focus();
   }
   count = data.count; $("line").textContent = data.line; $("empty").hidden = count > 0;
@@ -27,7 +29,7 @@ async function list() {
 const mark = () => all("li", outline).forEach(row => { if (Number(row.dataset.number) === current) row.setAttribute("aria-current", "true"); else row.removeAttribute("aria-current"); });
 async function show(number, focus = false) {
   if (number !== current) { family = form = ""; }
-  current = number; history.replaceState(null, "", `#${number}`); mark(); mistakes(source.mistakes); scrollSource();
+  current = number; history.replaceState(null, "", `#${number}`); mark(); if (!drafting) mistakes(source.mistakes); scrollSource();
   if (!count) { inspect.replaceChildren(); return; }
   try {
     inspect.innerHTML = await html(`/${exam}/problem/${number}?${asked}&family=${encodeURIComponent(family)}&form=${encodeURIComponent(form)}`);
@@ -288,11 +290,11 @@ addEventListener("keydown", event => {
 
 // ---- the text of the file: what is wrong stays a draft, what is right is saved
 const text = $("source"), gutter = $("gutter");
-let drafting = false;
 function showSource(data) {
   source = data;
   if (!drafting) { const top = text.scrollTop; text.value = data.text; text.scrollTop = top; }
-  mistakes(data.mistakes); scrollSource();
+  if (drafting) check();  // of the draft it is said what is wrong, and that the file is another one by now
+  else { mistakes(data.mistakes); scrollSource(); }
 }
 function mistakes(found) {
   const from = source.lines[current - 1] ?? 0, to = source.lines[current] ?? Infinity, bad = new Set(found.map(one => one.line));
@@ -308,7 +310,31 @@ function goTo(line) {
   text.focus(); text.setSelectionRange(start, start); text.scrollTop = Math.max(0, (line - 3) * height());
 }
 text.addEventListener("scroll", () => { gutter.scrollTop = text.scrollTop; });
-text.addEventListener("input", () => { drafting = text.value !== source.text; mistakes([]); check(); });
+text.addEventListener("input", () => {
+  if (!drafting) begun = source.version;
+  drafting = begun !== source.version || text.value !== source.text;
+  mistakes([]); check();
+});
+// The file has another text than when the draft was begun: both are shown, and one is chosen.
+function bothTexts(mine, now) {
+  const keep = async () => { try { await save(mine, now.version); } catch (error) { complain(error); } };
+  const take = async () => { drafting = false; $("texted").textContent = ""; await list(); await show(current); page_(); };
+  $("texted").textContent = words.draft;
+  $("oops").hidden = false;
+  $("oops").replaceChildren(el("li", {}, words.both_texts, " ", el("button", { type: "button", onclick: keep }, words.keep_draft), " ", el("button", { type: "button", onclick: take }, words.take_file), el("pre", { tabIndex: 0 }, now.text)));
+}
+async function save(typed, version) {
+  try {
+    await replaceText(typed, version);
+  } catch (error) {
+    if (error.status !== 409) throw error;
+    const now = await get(`/${exam}/outline?${asked}`);
+    if (now.text !== typed) return bothTexts(typed, now);
+  }
+  drafting = text.value !== typed; $("texted").textContent = words.saved;
+  await list(); await show(current); page_();
+  if (drafting) { begun = source.version; check(); }
+}
 const check = late(async () => {
   const typed = text.value;
   try {
@@ -316,14 +342,13 @@ const check = late(async () => {
     if (typed !== text.value) return;
     mistakes(found);
     $("texted").textContent = found.length ? words.draft : "";
-    if (found.length || typed === source.text) return;
-    await replaceText(typed); drafting = false; $("texted").textContent = words.saved;
-    await list(); await show(current); page_();
+    if (found.length || !drafting) return;
+    await save(typed, begun);
   } catch (error) { error.data?.problems ? mistakes(error.data.problems) : complain(error); }
 }, 500);
 $("larger").addEventListener("click", event => { const on = document.querySelector(".toml").classList.toggle("large"); event.currentTarget.setAttribute("aria-pressed", String(on)); });
 
-addEventListener("outside", async () => { await list(); await show(current); page_(); });
+onOutside(async () => { await list(); await show(current); page_(); });
 addEventListener("hashchange", () => show(Number(location.hash.slice(1)) || 1));
 
 try {

@@ -28,45 +28,64 @@ export const el = (tag, properties = {}, ...children) => {
 
 // ---- requests: what cannot reach the server is tried again each second; answers that refuse are thrown.
 export class Refused extends Error {
-  constructor(status, data) { super(data.problems?.map(p => [p.message, p.remedy].filter(Boolean).join(": ")).join("; ") ?? words.changed_elsewhere); this.status = status; this.data = data; }
+  constructor(status, data) {
+    super(data?.problems?.map(p => [p.message, p.remedy].filter(Boolean).join(": ")).join("; ") ?? (status === 409 ? words.changed_elsewhere : fill(words.unexpected, { status })));
+    this.status = status; this.data = data ?? {};
+  }
 }
 const pause = ms => new Promise(done => setTimeout(done, ms));
-const connected = yes => { $("offline").hidden = yes; };
+const connected = (yes, why = "offline") => { $("offline").hidden = yes; if (!yes) $("offline").textContent = words[why]; };
 
 async function request(url, options, again) {
   for (;;) {
+    let answer;
     try {
-      const answer = await fetch(url, options);
-      connected(true);
-      const data = await answer.json();
-      if (!answer.ok) throw new Refused(answer.status, data);
-      return data;
+      answer = await fetch(url, options);
     } catch (error) {
-      if (error instanceof Refused || error.name === "AbortError" || !again) throw error;
-      connected(false);
+      if (error.name !== "AbortError") connected(false);
+      if (error.name === "AbortError" || !again) throw error;
       await pause(1000);
+      continue;
     }
+    connected(answer.status !== 403, "locked");
+    if (answer.status === 403 && again) { await pause(1000); continue; }  // until the new address has been opened
+    const data = await answer.json().catch(() => null);
+    if (!answer.ok || data === null) throw new Refused(answer.status, data);
+    return data;
   }
 }
 export const get = (url, options = {}) => request(url, { headers: { accept: "application/json" }, ...options }, false);
 export const post = (url, data, options = {}) =>
   request(url, { method: "POST", headers: { "content-type": "application/json", accept: "application/json" }, body: JSON.stringify(data), ...options }, options.again ?? true);
 
-// ---- edits: one after another, each on the version that the one before it has made.
+// ---- edits: one after another, each on the version that the one before it has made; but where others have changed the
+// file since, on the version that was seen when the edit was begun.
+let others = 0;
+const seen = () => { const then = state.version, before = others; return () => others === before ? state.version : then; };
 let queue = Promise.resolve();
 const inTurn = work => { const next = queue.then(work, work); queue = next.catch(() => {}); return next; };
 
-export const edit = (operations, about = "") => inTurn(async () => {
-  saving(true);
-  try {
-    return settled(await post(`/${exam}/edit`, { operations, version: state.version, window: own, about }));
-  } catch (error) {
-    if (error.status === 409) return await conflict(error.data, operations, about);
-    throw error;
-  } finally { saving(false); }
-});
-export const replaceText = text => inTurn(async () =>
-  settled(await post(`/${exam}/text`, { text, version: state.version, window: own })));
+export const edit = (operations, about = "") => {
+  const version = seen();
+  return inTurn(async () => {
+    saving(true);
+    try {
+      const data = settled(await post(`/${exam}/edit`, { operations, version: version(), window: own, about }));
+      if (data.merged) await outside(data);
+      return data;
+    } catch (error) {
+      if (error.status === 409) return await conflict(error.data, operations, about);
+      throw error;
+    } finally { saving(false); }
+  });
+};
+// A text is that of a version: whoever writes one has to know which.
+export const replaceText = (text, version) => inTurn(async () =>
+  settled(await post(`/${exam}/text`, { text, version, window: own })));
+// Others have changed the file: pages show it before an edit is made on the new version.
+const shows = [];
+export const onOutside = show => shows.push(show);
+async function outside(data) { others += 1; state.version = data.version; for (const show of shows) await show(data); settled(data); }
 
 const saving = yes => { const place = $("saved"); if (place) place.textContent = yes ? words.saving : place.dataset.saved; };
 function settled(data) {
@@ -82,21 +101,29 @@ function settled(data) {
 }
 // The same key was changed elsewhere: both values are shown, and one of them is chosen.
 async function conflict(data, operations, about) {
+  if (data.moved) {
+    await outside(await get(`/${exam}/state`));
+    throw new Error(words.moved);
+  }
   const shown = value => typeof value === "object" ? JSON.stringify(value) : String(value ?? "—");
   const mine = await choose(fill(words.conflict, { theirs: shown(data.theirs), mine: shown(data.mine) }), words.keep_mine, words.take_that);
   const now = await get(`/${exam}/state`);
-  state.version = now.version;
-  if (mine) return settled(await post(`/${exam}/edit`, { operations, version: state.version, window: own, about }));
-  dispatchEvent(new CustomEvent("outside", { detail: now }));
-  return settled(now);
+  if (!mine) { await outside(now); return now; }
+  const kept = settled(await post(`/${exam}/edit`, { operations, version: now.version, window: own, about }));
+  await outside(kept);
+  return kept;
 }
 async function step(name, told) {
   if ($(name).disabled) return;
   const what = $(name).title.split(": ").slice(1).join(": ");
-  const data = await inTurn(() => post(`/${exam}/${name}`, { window: own }));
-  settled(data);
-  dispatchEvent(new CustomEvent("outside", { detail: data }));
-  note(fill(told, { what }));
+  const version = seen();
+  try {
+    await inTurn(async () => outside(await post(`/${exam}/${name}`, { window: own, version: version() })));
+    note(fill(told, { what }));
+  } catch (error) {
+    if (error.status === 409) await inTurn(async () => outside(await get(`/${exam}/state`)));
+    complain(error);
+  }
 }
 export const undo = () => step("undo", words.taken_back);
 export const redo = () => step("redo", words.done_again);
@@ -125,16 +152,25 @@ export const complain = error => note(error.message || String(error));
 
 // ---- events of the server; pages listen with on("build", data => ...).
 const listeners = {};
-export const on = (name, listener) => { (listeners[name] ??= []).push(listener); source?.addEventListener(name, event => listener(JSON.parse(event.data))); };
-let source = new EventSource("/events");
-source.onopen = () => connected(true);
-source.onerror = () => connected(false);
-source.addEventListener("reload", () => location.reload());
+export const on = (name, listener) => { (listeners[name] ??= []).push(listener); source.addEventListener(name, event => listener(JSON.parse(event.data))); };
+let source;
+function listen() {
+  source = new EventSource("/events");
+  source.onopen = () => connected(true);
+  source.onerror = () => {
+    if (source.readyState !== EventSource.CLOSED) return connected(false);
+    setTimeout(async () => {  // refused: until the new address has been opened
+      listen();
+      if (exam) await inTurn(async () => outside(await get(`/${exam}/state`))).catch(() => {});
+    }, 1000);
+  };
+  source.addEventListener("reload", () => location.reload());
+  for (const [name, known] of Object.entries(listeners)) for (const listener of known) source.addEventListener(name, event => listener(JSON.parse(event.data)));
+}
+listen();
 on("doc", async data => {
   if (data.exam !== exam || data.window === own || data.version === state.version) return;
-  const now = await inTurn(() => get(`/${exam}/state`));
-  settled(now);
-  dispatchEvent(new CustomEvent("outside", { detail: now }));
+  await inTurn(async () => outside(await get(`/${exam}/state`)));
 });
 addEventListener("pagehide", () => source.close());
 addEventListener("pageshow", event => { if (event.persisted) location.reload(); });
