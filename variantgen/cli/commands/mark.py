@@ -13,7 +13,7 @@ from variantgen.cli.options import add_families
 from variantgen.errors import InputError
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Collection, Sequence
 
     from variantgen.exam.marking_policy import MarkingPolicy
     from variantgen.finished.restore import Finished
@@ -80,7 +80,7 @@ def run(arguments: argparse.Namespace) -> int:
     finished = restore(read_manifest(arguments.folder), family_folders(arguments.families))
     asked = Key(finished.record).asked
     policy = read_policy_file(arguments.policy, asked) if arguments.policy else finished.exam.marking
-    earlier = _earlier(arguments.against, arguments.out)
+    earlier = _earlier(arguments.against, arguments.out, {sheet.code for sheet in finished.record.sheets})
     with_book = find_spec("xlsxwriter") is not None
     changed: list[changes.Change] = []
     finished, read, joined = _read(arguments, finished, policy)
@@ -170,15 +170,15 @@ def _tell_open(found: Marked) -> None:
         tell(f"    type what you see into {TABLE} and mark again with it")
 
 
-def _earlier(against: Path | None, out: Path) -> Earlier | None:
+def _earlier(against: Path | None, out: Path, codes: Collection[str]) -> Earlier | None:
     """The marks to compare with: those that are named, or those that are replaced; None where there are none."""
     from variantgen.marking.changes import read_marking
     from variantgen.marking.records import MARKS
 
     if against is not None:
-        return read_marking(against)
+        return read_marking(against, codes)
     try:
-        return read_marking(out) if (out / MARKS).is_file() else None
+        return read_marking(out, codes) if (out / MARKS).is_file() else None
     except InputError:
         return None  # whoever replaces a damaged marking has nothing to compare with
 
