@@ -91,6 +91,25 @@ def test_another_policy_says_whose_mark_changed(
     assert [(row["points before"], row["points"]) for row in rows(tmp_path / "two" / "changes.csv")] == [("1", "0")] * 2
 
 
+@pytest.mark.parametrize(
+    ("marks", "totals"),
+    [
+        ("code,problem,quantity,verdict,points\nCODE,1\n", "code,grade,points\nCODE,,1\n"),
+        ("code,problem,quantity,verdict,points\nCODE,1,v_B,right,2\n", "code,grade,points\nCODE\n"),
+        ("code,problem,quantity,verdict,points\nXXX-XXX,1,v_B,right,2\n", "code,grade,points\nXXX-XXX,,2\n"),
+    ],
+)
+def test_what_is_no_earlier_marking_of_the_exam(
+    marks: str, totals: str, built: Path, mark: Mark, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    code = rows(built / "key.csv")[0]["code"]
+    (tmp_path / "marks.csv").write_text(marks.replace("CODE", code), "utf-8")
+    (tmp_path / "totals.csv").write_text(totals.replace("CODE", code), "utf-8")
+    assert mark(long(tmp_path, [("s1", "1.v_B", "3")]), options=["--against", str(tmp_path)])[0] == 2
+    said = capsys.readouterr().err
+    assert ("does not have" if "XXX" in marks else "is not the table of a marking") in said
+
+
 def test_nothing_names_a_student_in_anonymous_marks(
     built: Path, mark: Mark, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -13,6 +13,7 @@ import openpyxl
 import pytest
 
 from variantgen.cli import main
+from variantgen.marking.follow_through import FollowThrough
 
 EXAM = """title = "Quiz"
 language = "en"
@@ -247,6 +248,21 @@ def test_a_neighbours_variant(built: Path, mark: Mark, tmp_path: Path) -> None:
     codes = {row["id"]: row["code"] for row in marks}
     causes = {row["cause"] for row in marks if row["id"] == first and row["verdict"] == "wrong"}
     assert causes == {f"neighbour: {codes[second]}"}
+
+
+@pytest.mark.parametrize("copied", [2, 3])
+def test_a_neighbours_answers_follow_from_nothing(
+    copied: int, built: Path, mark: Mark, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Though each follows from the first: three are too many for chance, and of two the suspicion stays."""
+    monkeypatch.setattr(FollowThrough, "granted", lambda *given: {place: [0] for place in given[-1] if place})
+    right = key(built)
+    first, second, _ = order(built)
+    names = ("v_B", "omega_AB", "a_B")[:copied]
+    _, marks, _, _ = mark(long(tmp_path, [(first, f"1.{name}", f"{right[second, f'1.{name}']:.4g}") for name in names]))
+    own = [row for row in marks if row["id"] == first and row["quantity"] in names and row["problem"] == "1"]
+    assert [row["verdict"] for row in own] == (["wrong"] * 3 if copied == 3 else ["wrong", "follow_through"])
+    assert all(row["cause"].startswith("neighbour: ") for row in own)
 
 
 def test_anonymous(mark: Mark, tmp_path: Path, built: Path) -> None:

@@ -7,9 +7,10 @@ from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
+import openpyxl
 import pytest
 
-from tests.marking.test_marks import Mark, built, key, long, mark, order
+from tests.marking.test_marks import Mark, acceleration, built, key, long, mark, order, parameters
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Answer
 from variantgen.families.quantities import split_name
@@ -114,6 +115,43 @@ def test_the_steps_of_the_solution_that_are_needed(built: Path, mark: Mark, tmp_
     for step, name in zip(steps, ("omega_AB", "a_B"), strict=True):
         assert f"<mn>{abs(right[first, f'1.{name}']):#.4g}</mn>" in step
     assert "Worked solution" not in (tmp_path / "marks" / "feedback" / f"{code[second]}.html").read_text("utf-8")
+
+
+def test_causes_and_numbers_are_printed_as_in_the_table(built: Path, mark: Mark, tmp_path: Path) -> None:
+    """What an answer follows from stands by its symbol, the student's own number with a true minus."""
+    first = order(built)[0]
+    wrong = 1.3 * key(built)[first, "1.omega_AB"]
+    follows = acceleration(parameters(built, 0), rod=1.3)
+    other = f"-{key(built)[first, '2.v_O']:.5g}"
+    _, marks, _, _ = mark(
+        long(
+            tmp_path,
+            [(first, "1.omega_AB", f"{wrong:.6g}"), (first, "1.a_B", f"{follows:.5g}"), (first, "2.v_O", other)],
+        )
+    )
+    code = next(row["code"] for row in marks if row["id"] == first)
+    page = (tmp_path / "marks" / "feedback" / f"{code}.html").read_text("utf-8")
+    assert re.search(r"It follows from: <math.{0,80}<mi>ω</mi>", page)
+    assert "omega_AB" not in page
+    assert other.replace("-", "\N{MINUS SIGN}") in page
+    assert other not in page
+
+
+def test_points_by_hand_for_who_has_no_answers(built: Path, mark: Mark, tmp_path: Path) -> None:
+    """Points in the column ± have a page of their own; 20 points of 8 are cut and told."""
+    book = openpyxl.load_workbook(built / "grading.xlsx")
+    sheet = book.worksheets[0]
+    head = next(row for row in sheet.iter_rows() if row[0].value == "Variant")
+    column = next(cell.column for cell in head if cell.value == "±")
+    row = head[0].row + 1
+    codes = [sheet.cell(row + k, 1).value for k in range(2)]
+    sheet.cell(row, column, 1.5)
+    sheet.cell(row + 1, column, 20)
+    book.save(tmp_path / "filled.xlsx")
+    _, _, totals, left = mark(tmp_path / "filled.xlsx")
+    assert {total["code"]: total["1"] for total in totals if total["code"] in codes} == {codes[0]: "1.5", codes[1]: "8"}
+    assert [item["why"] for item in left] == ["the problem has 0 to 8 points: it cannot have 20"]
+    assert "1.5 (+1.5 by hand)" in (tmp_path / "marks" / "feedback" / f"{codes[0]}.html").read_text("utf-8")
 
 
 def test_anonymous_pages(built: Path, mark: Mark, tmp_path: Path) -> None:

@@ -9,9 +9,11 @@ import sys
 import zlib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import permutations
 from pathlib import Path
 
 import numpy as np
+import openpyxl
 import pypdfium2
 import pytest
 from PIL import Image, ImageDraw
@@ -21,11 +23,13 @@ from tests.marking.test_marks import acceleration, parameters
 from variantgen.cli import main
 from variantgen.exam import answer_page as page
 from variantgen.exam.manifest import read_manifest
-from variantgen.marking.scan.columns import columns
+from variantgen.marking.scan.columns import Column, columns
+from variantgen.marking.scan.confirming import Confirmed
 from variantgen.marking.scan.darkness import Darkness
-from variantgen.marking.scan.numbers import number
+from variantgen.marking.scan.numbers import number, reading
 from variantgen.marking.scan.pages import read_page
 from variantgen.marking.scan.pictures import ScanImage
+from variantgen.marking.scan.settling import ScannedAnswer, settled
 
 Row = dict[str, str]
 DPI = 150
@@ -204,7 +208,7 @@ def test_pages_that_give_no_answers_are_named(english: Built, tmp_path: Path) ->
     first.save(
         tmp_path / "scan.pdf",
         save_all=True,
-        append_images=[no_code, no_corners, problems, blank, other],
+        append_images=[no_code, no_corners, problems, blank, other, blank, problems],
         resolution=DPI,
     )
     out = tmp_path / "marks"
@@ -214,16 +218,95 @@ def test_pages_that_give_no_answers_are_named(english: Built, tmp_path: Path) ->
     for text in (
         "page 2: : no code of a sheet is seen",
         f"page 3: {english.code(2)}, page 1: not all four black squares in the corners are seen",
-        "without answers to read, left out: pages of problems, 1",
-        "without answers to read, left out: blank pages, 1",
+        "without answers to read, left out: pages of problems, 2: page 4, 8",
+        "without answers to read, left out: blank pages, 2: page 5, 7",
         f"page 6: {english.code(0)}, page 1: the page has been scanned before, scan.pdf, page 1: other answers, for",
-        "no page for answers of 2 of 3 sheets",
+        f"scans: {english.code(1)}: no page for answers of 1 of 3 sheets",
     ):
         assert text in told
     names = [name for name, _ in english.key[0]]
     # The first answer is another one on the second scan: neither is taken.
     assert [marks[english.code(0), name]["verdict"] for name in names] == ["unreadable"] + ["right"] * 4
+    # Whose page could not be read has no mark yet.
+    assert {marks[english.code(2), name]["verdict"] for name in names} == {"unreadable"}
+    assert [row["open"] for row in rows(out / "totals.csv")] == ["1", "0", "5"]
+    assert [row["Quiz"] for row in rows(out / "gradebook_moodle.csv")] == ["-", "-", "-"]
+    book = openpyxl.load_workbook(out / "marks.xlsx").worksheets[0]
+    assert [row[-1].value for row in book.iter_rows(min_row=3, max_row=6)] == ["Open", 1, None, 5]
     assert (out / "review.html").read_text("utf-8").count("data:image/png;base64,") == 3
+
+
+def test_what_is_typed_of_a_lost_page_is_final(english: Built, tmp_path: Path) -> None:
+    """What was typed: a number, a dash, what is no number, and what a spreadsheet would run."""
+    lost = english.pages[2].copy()
+    x, y = page.CORNERS[3]
+    ImageDraw.Draw(lost).rectangle([v * _MM for v in (x - 4, y - 4, x + 4, y + 4)], fill=255)
+    (tmp_path / "cy_young").mkdir()
+    scan = tmp_path / "cy_young" / "cy_young.png"
+    lost.save(scan)
+    out = tmp_path / "marks"
+    mark(english, out, scan)
+    asked = [(row["problem"], row["quantity"]) for row in rows(out / "review.csv")]
+    assert [f"{number}.{name}" for number, name in asked] == [name for name, _ in english.key[2]]
+    assert {row["why"] for row in rows(out / "review.csv")} == {"page not read"}
+    readings = [written(english.key[2][0][1]), "/", "?", "=1+1", "-7"]
+    typed = [",".join((english.code(2), *own, text)) for own, text in zip(asked, readings, strict=True)]
+    (out / "review.csv").write_text("\n".join(["student,problem,quantity,reading", *typed]), "utf-8")
+    for _ in range(2):  # the second time with what was written again
+        _, marks = mark(english, out, scan, out / "review.csv", force=True)
+        verdicts = [marks[english.code(2), name]["verdict"] for name, _ in english.key[2]]
+        assert verdicts == ["right", "blank", "unreadable", "unreadable", "wrong"]
+        assert [row["reading"] for row in rows(out / "review.csv")] == [*readings[:1], "/", "?", "'=1+1", "-7"]
+        assert [row["open"] for row in rows(out / "totals.csv")] == ["0", "0", "0"]
+    # Nothing of who it is, in the pictures or in the names of files.
+    code = main(["mark", str(english.folder), str(scan), "--anonymous", "--out", str(tmp_path / "anonymous")])
+    assert code == 0
+    assert "data:image" in (out / "review.html").read_text("utf-8")
+    for name in ("review.html", "review.csv", "not_matched.csv"):
+        text = (tmp_path / "anonymous" / name).read_text("utf-8")
+        assert "young" not in text
+        assert "data:image" not in text
+        assert "file 1" in text
+
+
+def test_the_answers_of_a_missing_page_wait(
+    english: Built, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """As if the five answers stood on two pages, and the second one was not scanned."""
+    monkeypatch.setattr(page, "PER_PAGE", 3)
+    right = [written(value) for _, value in english.key[0]]
+    filled(english.pages[0], right).save(tmp_path / "page.png")
+    out = tmp_path / "marks"
+    _, marks = mark(english, out, tmp_path / "page.png")
+    names = [name for name, _ in english.key[0]]
+    assert [marks[english.code(0), name]["verdict"] for name in names] == ["right"] * 3 + ["unreadable"] * 2
+    assert "not final: 2 answers of 1 student" in capsys.readouterr().err
+    assert [row["why"] for row in rows(out / "review.csv")] == ["page missing"] * 2
+    assert f"{english.code(0)}, page 2" in (out / "review.html").read_text("utf-8")
+
+
+CLEAR, OTHER, BLANK = (ScannedAnswer("a page", Confirmed(text)) for text in ("12", "15", ""))
+DOUBTFUL = ScannedAnswer("a page", Confirmed("17", ("several",)), others=("12",))
+
+
+@pytest.mark.parametrize(
+    ("readings", "text"),
+    [
+        ([CLEAR, CLEAR], "12"),
+        ([DOUBTFUL, CLEAR], "12"),
+        ([DOUBTFUL, CLEAR, CLEAR], "12"),
+        ([DOUBTFUL, OTHER], None),  # not what the doubtful one allows
+        ([DOUBTFUL, BLANK], None),
+        ([CLEAR, BLANK], None),
+        ([CLEAR, OTHER, CLEAR], None),
+        ([CLEAR, OTHER, DOUBTFUL], None),
+    ],
+)
+def test_pages_scanned_more_than_once(readings: list[ScannedAnswer], text: str | None) -> None:
+    for order in permutations(readings):
+        read = settled(order).read
+        assert (read.text if not read.why else None) == text
+        assert text is not None or "pages differ" in read.why
 
 
 def test_a_page_of_another_build_is_told(english: Built, tmp_path: Path) -> None:
@@ -302,6 +385,28 @@ def test_a_doubtful_reading_that_follows_confirms_itself(english: Built, tmp_pat
     _, marks = mark(english, tmp_path / "marks", tmp_path / "page.png", force=True)
     assert marks[english.code(0), "1.a_B"]["verdict"] == "unreadable"
     assert [row["why"] for row in rows(tmp_path / "marks" / "review.csv")] == ["several"]
+
+
+def test_two_doubtful_readings_do_not_confirm_each_other(english: Built, tmp_path: Path) -> None:
+    """Where the rate is doubtful that an acceleration would follow from, both are looked at."""
+    values = dict(english.key[0])
+    texts = [
+        "",
+        written(1.3 * values["1.omega_AB"]),
+        written(acceleration(parameters(english.folder, 0), rod=1.3)),
+        "",
+        "",
+    ]
+    rest = []
+    for answer, column in ((1, 2), (2, 1)):
+        digit = page.columns_of(texts[answer])[column]
+        assert digit is not None
+        rest.append((answer, column, (digit + 2) % 10, 205))
+    filled(english.pages[0], texts, rest).save(tmp_path / "page.png")
+    _, marks = mark(english, tmp_path / "marks", tmp_path / "page.png")
+    asked = "1.omega_AB", "1.a_B"
+    assert [marks[english.code(0), name]["verdict"] for name in asked] == ["unreadable", "unreadable"]
+    assert [row["quantity"] for row in rows(tmp_path / "marks" / "review.csv")] == ["omega_AB", "a_B"]
 
 
 @pytest.mark.parametrize("seed", [1, 3, 4, 7])
@@ -390,3 +495,8 @@ def test_files_that_are_no_scans(
 )
 def test_numbers_of_columns(values: list[int | None], text: str | None) -> None:
     assert number(values) == text
+
+
+def test_doubtful_columns_are_counted_and_reasons_named_once() -> None:
+    own = [Column(None), Column(1, "faint"), Column(2, "faint"), Column(3, "several"), *[Column(None)] * 3]
+    assert (reading(own).doubtful, reading(own).doubts) == (3, ("faint", "several"))

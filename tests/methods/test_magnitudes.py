@@ -15,6 +15,10 @@ from variantgen.methods.magnitudes import magnitudes
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Ascending, Item, Sentence
 from variantgen.variants.attempts import VerificationError
+from variantgen.wording.formula import Relation, Symbol
+from variantgen.wording.formula.tree import SIGNS
+from variantgen.wording.formula.typst import to_typst
+from variantgen.wording.latex import sign_to_latex
 
 
 def bound(book: Book) -> tuple[str, list[float]]:
@@ -74,3 +78,9 @@ def test_numbers_that_do_not_rise_are_refused(monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.setattr(compose, "magnitudes", wrong)
     with pytest.raises(VerificationError, match="the order of magnitudes in the step check"):
         compose.solution(task)
+
+
+def test_every_output_has_the_sign_of_a_bound() -> None:
+    assert sign_to_latex("<") == "<"
+    assert "<" in SIGNS
+    assert to_typst(Relation((Symbol("a"), Symbol("b")), ("<",))).split() == ["a", "lt", "b"]

@@ -67,14 +67,3 @@ def test_a_step_that_only_writes_known_components_down_again_is_left_out() -> No
     steps = solution(asking("three_rod_plate", "", ["a_B", "epsilon_BCF"])).steps
     output = [step.heading.facts.get("point") for step in steps if step.heading.key == "points.by_pole_a"]
     assert output == [Point("B")]
-
-
-def test_a_root_of_a_system_that_nothing_needs_is_not_listed() -> None:
-    (task,) = tasks("four_bar_with_sleeve", "", 1)
-    steps = {step.heading.key: step for step in solution(task).steps}
-    roots = {
-        key: {item.value.name.of for item in steps[key].items if isinstance(item, Derived) and not item.numeric}
-        for key in ("three_rates.omega", "three_rates.epsilon")
-    }
-    assert roots["three_rates.omega"] == {"AB", "BC"}, "the square of omega_AB is in the second derivatives"
-    assert roots["three_rates.epsilon"] == {"BC"}, "alpha_AB is not asked, and a_B is that of BC"

@@ -410,7 +410,7 @@ def test_figures_refuse_what_stands_in_texts_only() -> None:
     "wrong",
     [
         lambda: Relation((A, B), ("=", "=")),
-        lambda: Relation((A, B), ("<",)),
+        lambda: Relation((A, B), (">",)),
         lambda: Dotted(A, 3),
         lambda: Surd(1, 0, 2),
         lambda: Surd(1, 1, -2),

@@ -26,7 +26,6 @@ from variantgen.marking.attempts import NO_TEXTS, AttemptReport, lacks_texts, re
 from variantgen.marking.heads import asked_by, check_heads, in_unit, kind_of, known_unit, renamed, unit_of, unused
 
 _PROBLEM = re.compile(r"[0-9]{1,3}")
-OPEN = "?"  # so begins an answer that is still being looked at
 _STUDENT = ("code", "id", "name", "student", "surname", "first")
 
 
@@ -35,7 +34,8 @@ class HandedIn:
     """An answer as it was handed in: ``who`` has what the row says of the student, ``where`` names the row.
 
     ``quantity`` is the name that the table has, or the place of the answer in a form. ``sheet`` is the code of the
-    sheet that the question is from, where the table says it.
+    sheet that the question is from, where the table says it. ``waiting`` is an answer on a scan until somebody has
+    looked at it.
     """
 
     where: str
@@ -44,6 +44,7 @@ class HandedIn:
     quantity: str | int
     text: str
     sheet: str = ""
+    waiting: bool = False
 
 
 @dataclass(frozen=True)
@@ -247,8 +248,8 @@ class _Tables:
             if not _PROBLEM.fullmatch(problem):
                 self.left.append(NotMatched(where, row["problem"][:80], "the problem is no number", "", True))
                 continue
-            try:
-                text = in_unit(row["answer"], known_unit(row.get("unit", "")))
+            try:  # review.csv has an apostrophe where a spreadsheet would run the cell
+                text = in_unit(row["answer"].removeprefix("'"), known_unit(row.get("unit", "")))
             except InputError as error:
                 self.left.append(NotMatched(where, row["unit"][:80], "unknown unit", error.problems[0].remedy))
                 continue

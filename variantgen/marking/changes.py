@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -30,23 +30,32 @@ class Change:
     now: Entry
 
 
-def read_marking(folder: Path) -> Earlier:
-    """The marks of an earlier marking from its folder. Raises InputError."""
+def read_marking(folder: Path, codes: Collection[str]) -> Earlier:
+    """The marks of an earlier marking of the exam with these sheets, from its folder. Raises InputError."""
     found: dict[tuple[str, str], Entry] = {}
     for row in _rows(folder / MARKS, ("code", "problem", "quantity", "verdict", "points")):
         found[row["code"], f"{row['problem']}.{row['quantity']}"] = row["verdict"], row["points"]
     for row in _rows(folder / TOTALS, ("code", "grade", "points")):
         found[row["code"], ""] = row["grade"], row["points"]
+    if foreign := sorted({code for code, _ in found} - set(codes)):
+        remedy = "name the folder of an earlier marking of the same exam"
+        raise InputError(
+            Problem("has sheets that this exam does not have", str(folder), value=foreign[0], remedy=remedy)
+        )
     return found
 
 
 def _rows(path: Path, columns: Sequence[str]) -> list[dict[str, str]]:
     remedy = "name the folder of an earlier  variantgen mark"
     try:
-        rows = list(csv.DictReader(path.read_text("utf-8-sig").splitlines()))
+        with path.open(encoding="utf-8-sig", newline="") as file:
+            table = csv.DictReader(file)
+            rows, heads = list(table), table.fieldnames or ()
     except (OSError, UnicodeDecodeError, csv.Error):
         raise InputError(Problem("is not the table of a marking", file=str(path), remedy=remedy)) from None
-    if rows and not set(columns) <= set(rows[0]):
+    if not set(columns) <= set(heads) or any(
+        None in row or None in (row.get(column) for column in columns) for row in rows
+    ):
         raise InputError(Problem("is not the table of a marking", file=str(path), remedy=remedy))
     return rows
 

@@ -3,7 +3,8 @@
 Moodle (grades, import, CSV file) finds a student by the column that the teacher maps, takes points with a decimal
 point, and ``-`` for no grade. Canvas (gradebook, import) finds one by the SIS id, looks for ``Student`` in the first
 head, ``ID`` in the second and ``Section`` before the marks, and takes a number in brackets at the end of a head for
-the number of an assignment. Who handed in nothing has no grade in either.
+the number of an assignment. Who handed in nothing has no grade in either, nor
+has anybody while answers have to be looked at: the sum is not final.
 """
 
 from __future__ import annotations
@@ -44,7 +45,7 @@ def _texts(total: StudentTotal, *names: str) -> tuple[str, ...]:
 
 
 def _points(total: StudentTotal, nothing: str) -> str:
-    return shown(total.points) if total.handed_in else nothing
+    return shown(total.points) if total.handed_in and not total.open else nothing
 
 
 def _write(path: Path, rows: Sequence[Sequence[str]]) -> None:

@@ -6,25 +6,26 @@ import math
 import re
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from enum import Enum
 from fractions import Fraction
 
-from variantgen.errors import InputError, Problem
 from variantgen.exam.marking_policy import MarkingPolicy, rounded
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Answer
 from variantgen.families.quantities import Quantity
 from variantgen.finished.restore import Finished
-from variantgen.marking.answer_tables import OPEN, NotMatched, ReadAnswers
+from variantgen.marking.answer_tables import NotMatched, ReadAnswers
 from variantgen.marking.causes import OTHER, Cause, Comparisons, cause_of
 from variantgen.marking.follow_through import FollowThrough
 from variantgen.marking.key import Key, is_right
-from variantgen.marking.matching import SIGNS, Typed, corrections, is_blank, matched
+from variantgen.marking.matching import SIGNS, Correction, Typed, corrections, is_blank, matched
 from variantgen.marking.neighbours import Neighbours
 from variantgen.marking.plausible_mistakes import OfProblem, mistakes_of
 from variantgen.marking.typed_number import read_number
+from variantgen.marking.worth import worth_of
 
+_COPIED = 3  # answers of a problem that are those of a neighbour's sheet, from which on nothing follows from them
 _DATE = re.compile(r"\d{4}-\d\d-\d\d( |$)")
 
 
@@ -40,7 +41,10 @@ class Verdict(Enum):
 
 @dataclass(frozen=True)
 class MarkedAnswer:
-    """One answer: what was written, what it is in the unit of the key, the verdict, the cause, the points of it."""
+    """One answer: what was written, what it is in the unit of the key, the verdict, the cause, the points of it.
+
+    It is ``waiting`` while a person has to look at the scan that it is on.
+    """
 
     place: int
     problem: int
@@ -52,13 +56,15 @@ class MarkedAnswer:
     cause: Cause | None = None
     points: Fraction = Fraction(0)
     of: Fraction = Fraction(0)
+    waiting: bool = False
 
 
 @dataclass(frozen=True)
 class StudentTotal:
     """The sum of a student: points of each problem by number, of all, the most, the grade, answers handed in.
 
-    While answers are ``open``, which a person still has to look at, it is not final.
+    While answers are ``open``, which a person still has to look at, it is not final. ``by_hand`` are points given or
+    taken by hand, by problem; they are among the others.
     """
 
     student: Student
@@ -69,6 +75,7 @@ class StudentTotal:
     grade: str
     handed_in: int
     open: int = 0
+    by_hand: Mapping[int, Fraction] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -90,22 +97,21 @@ def mark(finished: Finished, read: ReadAnswers, policy: MarkingPolicy) -> Marked
         if item.verdict is Verdict.UNREADABLE:
             found = typed[item.place, item.problem, item.answer.quantity.name]
             what = f"{item.problem}.{item.answer.quantity.name}: {item.text}"[:80]
-            left.append(NotMatched(found.where, what, *_unreadable(item.text)))
+            left.append(NotMatched(found.where, what, *_unreadable(item)))
     marks = _following(finished, _with_causes(finished, key, marks))
-    worth = _worth(finished, key, policy)
-    _check_steps(policy, key, worth)
+    worth = worth_of(finished, key, policy)
     marks = [_with_points(item, policy, worth[item.place, item.problem]) for item in marks]
-    totals = _totals(key, marks, policy, corrections(key, read.corrections, left))
+    totals = _totals(key, marks, policy, corrections(key, read.corrections, left), left)
     return Marked(tuple(marks), tuple(totals), tuple(left))
 
 
-def _unreadable(text: str) -> tuple[str, str]:
-    """Why a text is no number, and what to do."""
-    if text.startswith(OPEN):
+def _unreadable(item: MarkedAnswer) -> tuple[str, str]:
+    """Why an answer is no number, and what to do."""
+    if item.waiting:
         return "waits for review", ""
-    if text.startswith("="):
+    if item.text.startswith("="):
         return "is a formula that was never computed", "open the file in the spreadsheet and save it"
-    if _DATE.match(text):
+    if _DATE.match(item.text):
         return "is a date: the spreadsheet took a number for one", "type it with the decimal mark of the spreadsheet"
     return "is no number that can be read", ""
 
@@ -117,11 +123,9 @@ def _judged(key: Key, typed: Typed) -> list[MarkedAnswer]:
         for number, problem in problems.items():
             for answer in key.answers(place, number):
                 item = typed.get((place, number, answer.quantity.name))
-                marks.append(
-                    MarkedAnswer(
-                        place, number, problem.problem_type, answer, *verdict_of(answer, item.text if item else "")
-                    )
-                )
+                verdict = verdict_of(answer, item.text if item else "")
+                waiting = item is not None and item.waiting
+                marks.append(MarkedAnswer(place, number, problem.problem_type, answer, *verdict, waiting=waiting))
     return marks
 
 
@@ -188,7 +192,10 @@ def _cause(key: Key, item: MarkedAnswer, results: OfProblem) -> Cause:
 
 
 def _following(finished: Finished, marks: Sequence[MarkedAnswer]) -> list[MarkedAnswer]:
-    """The marks with the verdict of those answers that follow from earlier wrong ones of the same problem."""
+    """The marks with the verdict of those answers that follow from earlier wrong ones of the same problem.
+
+    None does where three or more are those of one neighbour's sheet: so much does not agree by chance.
+    """
     found = list(marks)
     problems: dict[tuple[int, int], list[int]] = defaultdict(list)
     for i, item in enumerate(marks):
@@ -197,14 +204,21 @@ def _following(finished: Finished, marks: Sequence[MarkedAnswer]) -> list[Marked
     for (place, number), own in problems.items():
         answers = [marks[i].answer for i in own]
         wrong = {k: v for k, i in enumerate(own) if (v := marks[i].value) is not None and _is_wrong(marks[i])}
-        if len(wrong) < 2:
+        copied = sum(_is_copied(marks[i]) for i in own)
+        if len(wrong) < 2 or copied >= _COPIED:
             continue
         group = marks[own[0]].form, tuple(answer.quantity for answer in answers)
         rules = known.setdefault(group, FollowThrough(group[1]))
         for k, earlier in rules.granted(finished.variant(place, number), answers, wrong).items():
             names = ", ".join(answers[other].quantity.name for other in earlier)
-            found[own[k]] = replace(found[own[k]], verdict=Verdict.FOLLOW_THROUGH, cause=Cause("from", names))
+            cause = marks[own[k]].cause if _is_copied(marks[own[k]]) else Cause("from", names)  # a suspicion stays
+            found[own[k]] = replace(found[own[k]], verdict=Verdict.FOLLOW_THROUGH, cause=cause)
     return found
+
+
+def _is_copied(item: MarkedAnswer) -> bool:
+    """Whether an answer is that of a neighbour's sheet."""
+    return item.cause is not None and item.cause.name == "neighbour"
 
 
 def _is_wrong(item: MarkedAnswer) -> bool:
@@ -221,40 +235,6 @@ def _classes(key: Key) -> dict[tuple[int, str], list[int]]:
     return found
 
 
-def _worth(finished: Finished, key: Key, policy: MarkingPolicy) -> dict[tuple[int, int], Fraction]:
-    """The points of an answer, by student and problem: those of the problem in equal parts of what counts in it."""
-    most = {
-        number: max(len(own[number].answers) for own in key.places.values() if number in own) for number in key.asked
-    }
-    usual = {task.number: task.points for task in finished.exam.tasks}
-    found = {}
-    for place, problems in key.places.items():
-        for number, problem in problems.items():
-            counted = [a for a in problem.answers if not policy.is_struck(number, a.quantity)]
-            points = Fraction(policy.points.get(number, usual.get(number) or most[number]))
-            found[place, number] = points / len(counted) if counted else Fraction(0)
-    return found
-
-
-def _check_steps(policy: MarkingPolicy, key: Key, worth: Mapping[tuple[int, int], Fraction]) -> None:
-    """Raise InputError where points are rounded to a step larger than all there are."""
-    most: dict[int, dict[int, Fraction]] = defaultdict(dict)
-    for (place, number), one in worth.items():
-        counted = sum(not policy.is_struck(number, a.quantity) for a in key.places[place][number].answers)
-        most[place][number] = one * counted
-    single = max((points for own in most.values() for points in own.values()), default=Fraction(0))
-    whole = max((sum(own.values(), Fraction(0)) for own in most.values()), default=Fraction(0))
-    if problems := [
-        Problem(f"the step is larger than the points of {what}", key=f"rounding.{name}", value=str(step))
-        for name, step, points, what in (
-            ("problem", policy.problem_step, single, "every problem"),
-            ("total", policy.total_step, whole, "the exam"),
-        )
-        if points and step > points
-    ]:
-        raise InputError(problems)
-
-
 def _with_points(item: MarkedAnswer, policy: MarkingPolicy, worth: Fraction) -> MarkedAnswer:
     """A mark with its points, and those it could have."""
     of = Fraction(0) if policy.is_struck(item.problem, item.answer.quantity.name) else worth
@@ -269,9 +249,16 @@ def _with_points(item: MarkedAnswer, policy: MarkingPolicy, worth: Fraction) -> 
 
 
 def _totals(
-    key: Key, marks: Sequence[MarkedAnswer], policy: MarkingPolicy, by_hand: Mapping[tuple[int, int], Fraction]
+    key: Key,
+    marks: Sequence[MarkedAnswer],
+    policy: MarkingPolicy,
+    by_hand: Mapping[tuple[int, int], Correction],
+    left: list[NotMatched],
 ) -> list[StudentTotal]:
-    """The sums of all students; ``by_hand`` are points given or taken, by student and problem."""
+    """The sums of all students; ``by_hand`` are points given or taken, by student and problem.
+
+    Where a problem has less points than it would have by them, or they are fewer than none, that is told in ``left``.
+    """
     own: dict[int, list[MarkedAnswer]] = defaultdict(list)
     for item in marks:
         own[item.place].append(item)
@@ -284,7 +271,13 @@ def _totals(
             problems[item.problem] += item.points
             had[item.problem] += item.of
             most += Fraction(0) if str(item.problem) in policy.bonus else item.of
-        corrected = {number: points + by_hand.get((place, number), 0) for number, points in problems.items()}
+        own_hand = {number: by_hand[place, number] for number in problems if (place, number) in by_hand}
+        corrected = dict(problems)
+        for number, (given, where) in own_hand.items():
+            corrected[number] += given
+            if not 0 <= corrected[number] <= had[number]:
+                why = f"the problem has 0 to {float(had[number]):g} points: it cannot have {float(corrected[number]):g}"
+                left.append(NotMatched(where, f"{number}: {float(given):+g}", why))
         by_problem = {
             number: max(min(rounded(points, policy.problem_step), had[number]), Fraction(0))
             for number, points in corrected.items()
@@ -292,7 +285,8 @@ def _totals(
         every = sum(had.values(), Fraction(0))
         points = min(rounded(sum(by_problem.values(), Fraction(0)), policy.total_step), every)
         handed_in = sum(item.verdict is not Verdict.BLANK for item in own[place])
-        waiting = sum(item.text.startswith(OPEN) for item in own[place])
+        waiting = sum(item.waiting for item in own[place])
         grade = policy.grade(points, most)
-        found.append(StudentTotal(sheet.student, sheet.code, by_problem, points, most, grade, handed_in, waiting))
+        hand = {number: given for number, (given, _) in own_hand.items()}
+        found.append(StudentTotal(sheet.student, sheet.code, by_problem, points, most, grade, handed_in, waiting, hand))
     return found

@@ -71,7 +71,7 @@ class _Table:
         first = len(heads)
         for number in numbers:
             heads += [*(f"{number}.{name}" for name in names[number]), f"{number}."]
-        heads += [self.words["points"], self.words["most"], "%", self.words["grade"]]
+        heads += [self.words["points"], self.words["most"], "%", self.words["grade"], self.words["open"]]
         for column, head in enumerate(heads):
             self.page.text(_HEADS, column, head, HEAD)
         for row, (place, total) in enumerate(zip(places, totals, strict=True), start=_FIRST):
@@ -111,6 +111,8 @@ class _Table:
         if total.of:
             self.page.number(row, column + 2, float(total.points / total.of), _PERCENT)
         self.page.text(row, column + 3, total.grade, TEXT)
+        if total.open:
+            self.page.number(row, column + 4, total.open, _LOOKS[Verdict.UNREADABLE])
 
 
 def _names(places: Sequence[int], own: dict[int, list[MarkedAnswer]], number: int) -> list[str]:

@@ -15,6 +15,7 @@ _NOTHING = frozenset("-–—−/")  # what stands for nothing when it stands al
 SIGNS = {"+": 1.0, "-": -1.0, "−": -1.0, "–": -1.0}  # alone they are an answer where a sense is asked
 
 Typed = dict[tuple[int, int, str], HandedIn]
+Correction = tuple[Fraction, str]  # points, and where they are given
 
 
 def matched(key: Key, answers: Sequence[HandedIn], left: list[NotMatched]) -> Typed:
@@ -46,12 +47,12 @@ def matched(key: Key, answers: Sequence[HandedIn], left: list[NotMatched]) -> Ty
     return found
 
 
-def corrections(key: Key, typed: Sequence[HandedIn], left: list[NotMatched]) -> dict[tuple[int, int], Fraction]:
-    """Points given or taken by hand, by student and problem; what is no number or is told twice is told.
+def corrections(key: Key, typed: Sequence[HandedIn], left: list[NotMatched]) -> dict[tuple[int, int], Correction]:
+    """Points given or taken by hand and where, by student and problem; what is no number or is told twice is told.
 
     Students that cannot be matched have been told with their answers, or are here.
     """
-    found: dict[tuple[int, int], Fraction] = {}
+    found: dict[tuple[int, int], Correction] = {}
     seen: dict[tuple[int, int], str] = {}
     for item in typed:
         place = _student(key, item, left)
@@ -66,7 +67,7 @@ def corrections(key: Key, typed: Sequence[HandedIn], left: list[NotMatched]) -> 
                 left.append(NotMatched(item.where, what, "another correction of the same problem was there before"))
         else:
             seen[place, item.problem] = item.text
-            found[place, item.problem] = Fraction(repr(number.values[0]))
+            found[place, item.problem] = Fraction(repr(number.values[0])), item.where
     return found
 
 

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from decimal import Decimal
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 from markupsafe import Markup
 
 from variantgen.exam.exam_file import Exam
+from variantgen.families.quantities import split_name
 from variantgen.finished.restore import Finished
 from variantgen.marking.class_statistics import Advice, ProblemFacts, class_facts
 from variantgen.marking.marks import Marked, MarkedAnswer, Verdict
@@ -31,7 +33,7 @@ _BANDS = 10  # of the shares of points of a class
 
 
 def write_pages(folder: Path, finished: Finished, marked: Marked, anonymous: bool, steps: bool = False) -> None:
-    """Write a page for each student who handed in, and the statistics of the class.
+    """Write a page for each student who handed in or has points by hand, and the statistics of the class.
 
     ``steps``: with the steps of the worked solution that lead to wrong answers, at some 50 ms a problem.
     """
@@ -42,7 +44,7 @@ def write_pages(folder: Path, finished: Finished, marked: Marked, anonymous: boo
     for item in marked.marks:
         own[item.place].append(item)
     for place, total in enumerate(marked.totals):
-        if not total.handed_in:
+        if not total.handed_in and not total.by_hand:
             continue
         problems: dict[int, list[MarkedAnswer]] = defaultdict(list)
         for item in own[place]:
@@ -63,12 +65,18 @@ def write_pages(folder: Path, finished: Finished, marked: Marked, anonymous: boo
                     "number": number,
                     "answers": [_answer(finished, item, language) for item in items],
                     "points": _number(shown(total.problems[number]), language),
+                    "by_hand": _by_hand(total.by_hand.get(number), language),
                     "steps": _steps(finished, items) if steps else [],
                 }
                 for number, items in problems.items()
             ],
         )
     _write_statistics(folder / STATISTICS, finished, marked, language)
+
+
+def _by_hand(points: Fraction | None, language: Language) -> str:
+    """Points given or taken by hand, with their sign; '' for none."""
+    return _number(("+" if points > 0 else "") + shown(points), language) if points else ""
 
 
 def _common(exam: Exam, language: Language) -> dict[str, Any]:
@@ -88,16 +96,30 @@ def _answer(finished: Finished, item: MarkedAnswer, language: Language) -> dict[
     return {
         "symbol": Markup(to_mathml(language.quantity(item.answer.quantity, form))),  # noqa: S704
         "unit": Markup(to_mathml(language.unit(item.answer.unit))) if item.answer.unit.name != "1" else "",  # noqa: S704
-        "text": item.text,
+        "text": item.text if item.value is None else item.text.replace("-", "\N{MINUS SIGN}"),
         "right": _number(str(language.answer(item.answer.quantity, item.answer.value).text), language),
         "verdict": words[item.verdict.value],
         "kind": item.verdict.value,
-        "cause": ""
-        if item.cause is None or item.cause.name in _HIDDEN
-        else cause_in_words(item.cause, words, language, form),
+        "cause": _cause(finished, item, language),
         "points": _number(shown(item.points), language),
         "of": _number(shown(item.of), language),
     }
+
+
+def _cause(finished: Finished, item: MarkedAnswer, language: Language) -> str:
+    """The cause in words for the student, answers in it by their symbols; '' for none and for a suspicion."""
+    words, cause = language.words("marking"), item.cause
+    if cause is None or cause.name in _HIDDEN:
+        return ""
+    if cause.name not in ("from", "other_answer"):
+        return cause_in_words(cause, words, language, dict(finished.variant(item.place, item.problem).form.symbols))
+    found = []
+    for name in cause.detail.split(", "):
+        number, dot, other = name.partition(".") if cause.name == "other_answer" else ("", "", name)
+        form = dict(finished.variant(item.place, int(number or item.problem)).form.symbols)
+        symbol = Markup(to_mathml(language.quantity(split_name(other), form)))  # noqa: S704
+        found.append(Markup("{}{} {}").format(number, dot, symbol) if number else symbol)
+    return Markup("{}: {}").format(words[f"cause.{cause.name}"], Markup(", ").join(found))
 
 
 def _steps(finished: Finished, items: Sequence[MarkedAnswer]) -> list[dict[str, Any]]:

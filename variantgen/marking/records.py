@@ -12,7 +12,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from variantgen.exam.manifest import Manifest
-from variantgen.marking.answer_tables import OPEN, NotMatched
+from variantgen.marking.answer_tables import NotMatched
 from variantgen.marking.causes import Cause
 from variantgen.marking.marks import Marked, MarkedAnswer, Verdict
 from variantgen.outputs.files.records import csv_rows, safe_cell
@@ -53,7 +53,7 @@ def not_matched(marked: Marked, anonymous: bool) -> list[NotMatched]:
 def without_words(marked: Marked) -> Marked:
     """Marks in which answers that are no numbers have no text: where columns are shifted a name may stand there."""
     found = [
-        replace(item, text="…") if item.verdict is Verdict.UNREADABLE and not item.text.startswith(OPEN) else item
+        replace(item, text="…") if item.verdict is Verdict.UNREADABLE and not item.waiting else item
         for item in marked.marks
     ]
     return replace(marked, marks=tuple(found))

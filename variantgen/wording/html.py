@@ -30,7 +30,7 @@ class _Html(Markup):
         factors={Between.DOT: f"{_SPACE}·{_SPACE}", Between.THIN: _NARROW, Between.OPERATOR: _NARROW},
         cross=f"{_SPACE}×{_SPACE}",
         equals=f"{_SPACE}={_SPACE}",
-        relations={sign: f" {sign}{_SPACE}" for sign in SIGNS},
+        relations={sign: f" {escape(sign)}{_SPACE}" for sign in SIGNS},
         comma=", ",
         semicolon=f";{_SPACE}",
         before_unit=_SPACE,

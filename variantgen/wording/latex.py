@@ -41,7 +41,7 @@ class _Latex(Markup):
         factors={Between.DOT: r" \cdot ", Between.THIN: r"\,", Between.OPERATOR: " "},
         cross=r" \times ",
         equals=" = ",
-        relations={"=": " = ", "≈": r" \approx ", "→": r" \to ", "∥": r" \parallel ", "⟂": r" \perp "},
+        relations={"=": " = ", "≈": r" \approx ", "<": " < ", "→": r" \to ", "∥": r" \parallel ", "⟂": r" \perp "},
         comma=", ",
         semicolon="; ",
         before_unit=r"\,",

@@ -50,7 +50,7 @@ class _Mathtext(Markup):
         factors={Between.DOT: r"\cdot{}", Between.THIN: r"\,", Between.OPERATOR: r"\,"},
         cross=r"\times{}",
         equals="=",
-        relations={"=": "=", "≈": r"\approx{}", "→": r"\to{}", "∥": r"\parallel{}", "⟂": r"\perp{}"},
+        relations={"=": "=", "≈": r"\approx{}", "<": "<", "→": r"\to{}", "∥": r"\parallel{}", "⟂": r"\perp{}"},
         comma=r",\,",
         semicolon=";",
         before_unit=r"\,",

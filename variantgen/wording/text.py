@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
-from variantgen.wording.formula import Formula
+import re
+
+from variantgen.wording.formula import Formula, Symbol
+from variantgen.wording.formula.tree import GREEK
 
 Text = tuple[str | Formula, ...]
+
+_GREEK = {sign: name for name, sign in GREEK.items()}
+_LETTER = re.compile(r"(?<![\w'’])([A-Z]+|[b-zα-ω])(?![\w'’])")  # letters of a quantity or of points, in a sentence
 
 
 def with_steady_dashes(words: str) -> str:
@@ -12,3 +18,9 @@ def with_steady_dashes(words: str) -> str:
     for dash in "\N{EM DASH}\N{EN DASH}":
         words = words.replace(f" {dash}", f"\N{NO-BREAK SPACE}{dash}")
     return words
+
+
+def with_symbols(note: str) -> Text:
+    """A note with its letters of quantities and points as formulas; the English article ``a`` is none."""
+    parts = enumerate(_LETTER.split(note))
+    return tuple(Symbol(_GREEK.get(part, part)) if place % 2 else part for place, part in parts if part)

@@ -6,6 +6,7 @@ after "≈" what it misses by is small beside the number.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator
 from contextlib import nullcontext, suppress
@@ -56,6 +57,7 @@ class Reader:
         self.printed: dict[str, float] = {}
         self.halves: dict[str, float] = {}  # half a unit of the last digit of what has been computed
         self.waiting: list[tuple[str, str, str]] = []
+        self.last = ""
 
     def read(self, found: SolutionText) -> None:
         for line in lines_of(found):
@@ -68,6 +70,9 @@ class Reader:
         whole = " = ".join(texts)
         if "\u20d7" in whole:
             return  # an equation of vectors has no numbers
+        if any(sign == "<" for sign, _ in line.pieces):
+            self.rising([(sign, text) for (sign, _), text in zip(line.pieces, texts, strict=True)], whole)
+            return
         result = line.pieces[-1][1]
         in_numbers = not re.search(r"[^\W\d]_|[A-Z]{2}|[xyz]", texts[0])
         if isinstance(result, Number) and in_numbers:
@@ -96,6 +101,18 @@ class Reader:
         self.printed[texts[0]] = value
         self.known[texts[0]], self.halves[texts[0]] = value, unit / 2
         self.settle()
+
+    def rising(self, pieces: list[tuple[str, str]], whole: str) -> None:
+        """Numbers each of which is smaller than the next, some with the sum from which they come."""
+        before = -math.inf
+        for sign, text in pieces:
+            found = evaluate(text, self.known, self.mark)
+            if sign in ("=", "≈"):
+                self.compare(self.last, found, last_unit(text, self.mark, DIGITS), sign, whole)
+            elif found <= before:
+                self.wrong.append(f"{whole}: {found:.9g} is not larger than {before:.9g}")
+            before, self.last = found, text
+        self.checked += 1
 
     def side(self, texts: list[str], sign: str, whole: str) -> None:
         """One side of an equation, which has another after it: a sum in numbers, and its number."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import json
-from dataclasses import replace
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -14,7 +13,7 @@ from variantgen.cli.options import add_families
 from variantgen.errors import InputError
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Collection, Sequence
 
     from variantgen.exam.marking_policy import MarkingPolicy
     from variantgen.finished.restore import Finished
@@ -31,7 +30,7 @@ DESCRIPTION = (
     "What is wrong is compared with plausible mistakes. Several files add up; what cannot be matched or read\n"
     "is listed, and nothing is guessed."
 )
-_SHOWN = 20
+_SHOWN, _LONGEST = 20, 120  # of what is told: items, characters of a text
 _BOOK = "marks.xlsx"
 
 
@@ -81,7 +80,7 @@ def run(arguments: argparse.Namespace) -> int:
     finished = restore(read_manifest(arguments.folder), family_folders(arguments.families))
     asked = Key(finished.record).asked
     policy = read_policy_file(arguments.policy, asked) if arguments.policy else finished.exam.marking
-    earlier = _earlier(arguments.against, arguments.out)
+    earlier = _earlier(arguments.against, arguments.out, {sheet.code for sheet in finished.record.sheets})
     with_book = find_spec("xlsxwriter") is not None
     changed: list[changes.Change] = []
     finished, read, joined = _read(arguments, finished, policy)
@@ -101,7 +100,9 @@ def run(arguments: argparse.Namespace) -> int:
             changed = changes.changes(finished.record, found, earlier)
             changes.write_changes(work, finished.record, changed, arguments.anonymous)
         if joined is not None:
-            review.write_review(work, finished, joined.scans.doubtful, joined.typed, joined.scans.lost)
+            review.write_review(
+                work, finished, joined.scans.doubtful, joined.typed, joined.scans.lost, arguments.anonymous
+            )
         written = sorted(path.name for path in work.iterdir())
     if arguments.json:
         say(_json(found, arguments.anonymous))
@@ -138,22 +139,8 @@ def _read(
     finished, read = as_drawn(finished, read)
     if not scans:
         return finished, read, None
-    joined = join(finished, read, scans, policy)
-    return finished, _renamed(joined.answers, scans, names) if names else joined.answers, joined
-
-
-def _renamed(read: ReadAnswers, scans: Sequence[Path], names: Mapping[Path, str]) -> ReadAnswers:
-    """The answers with other words for the files of scans, whose names may be those of students."""
-
-    def of(where: str) -> str:
-        own = next((path for path in scans if where.startswith(path.name)), None)
-        return where if own is None else names[own] + where.removeprefix(own.name)
-
-    return replace(
-        read,
-        answers=tuple(replace(item, where=of(item.where)) for item in read.answers),
-        not_matched=tuple(replace(item, where=of(item.where)) for item in read.not_matched),
-    )
+    joined = join(finished, read, scans, policy, names)
+    return finished, joined.answers, joined
 
 
 def _tell_left(left: Sequence[NotMatched]) -> None:
@@ -161,11 +148,16 @@ def _tell_left(left: Sequence[NotMatched]) -> None:
     for item in left[:_SHOWN]:
         tell(
             f"{item.where}: {item.why}"
-            + (f" (got {item.text})" if item.text else "")
+            + (f" (got {_short(item.text)})" if item.text else "")
             + (f"\n    {item.remedy}" if item.remedy else "")
         )
     if len(left) > _SHOWN:
         tell(f"and {len(left) - _SHOWN} more, see not_matched.csv")
+
+
+def _short(text: str) -> str:
+    """A text that is not too long to tell: files have the whole one."""
+    return text if len(text) <= _LONGEST else f"{text[:_LONGEST]}..."
 
 
 def _tell_open(found: Marked) -> None:
@@ -178,15 +170,15 @@ def _tell_open(found: Marked) -> None:
         tell(f"    type what you see into {TABLE} and mark again with it")
 
 
-def _earlier(against: Path | None, out: Path) -> Earlier | None:
+def _earlier(against: Path | None, out: Path, codes: Collection[str]) -> Earlier | None:
     """The marks to compare with: those that are named, or those that are replaced; None where there are none."""
     from variantgen.marking.changes import read_marking
     from variantgen.marking.records import MARKS
 
     if against is not None:
-        return read_marking(against)
+        return read_marking(against, codes)
     try:
-        return read_marking(out) if (out / MARKS).is_file() else None
+        return read_marking(out, codes) if (out / MARKS).is_file() else None
     except InputError:
         return None  # whoever replaces a damaged marking has nothing to compare with
 

@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
 
 from variantgen.exam import answer_page
-from variantgen.marking.answer_tables import OPEN, HandedIn, NotMatched
+from variantgen.marking.answer_tables import HandedIn, NotMatched
 from variantgen.marking.key import Key, is_right
 from variantgen.marking.scan.confirming import Confirmed, confirmed
 from variantgen.marking.scan.pages import PageCode, ReadPage, read_page
 from variantgen.marking.scan.pictures import Grey, ScanImage, check_packages, pictures
 from variantgen.marking.scan.registration import Placed
+from variantgen.marking.scan.settling import DIFFER, ScannedAnswer, settled
 from variantgen.marking.typed_number import read_number
 from variantgen.outputs.qr import VERSION
 
@@ -24,16 +25,7 @@ Question = tuple[int, int, str]  # the place of the student, the number of the p
 _BLANK_SHARE = 2e-4  # of dark pixels: what has fewer is the empty back of a page
 _CROP = 7.0  # pixels to the millimetre of a picture for review
 _THUMBNAIL = 900
-_SHOWN = 12
-
-
-@dataclass(frozen=True)
-class ScannedAnswer:
-    """An answer on a page: where it was read, how, and for doubtful ones a picture (PNG)."""
-
-    where: str
-    read: Confirmed
-    picture: bytes = b""
+_MISSING, _NOT_READ = "page missing", "page not read"
 
 
 @dataclass(frozen=True)
@@ -59,30 +51,32 @@ class Scans:
         return {asked: answer for asked, answer in self.answers.items() if answer.read.why}
 
     def handed_in(self, key: Key) -> list[HandedIn]:
-        """The answers for :func:`variantgen.marking.marks.mark`; doubtful ones are numbers for nobody."""
+        """The answers for :func:`variantgen.marking.marks.mark`; doubtful ones wait and are numbers for nobody."""
         return [
             HandedIn(
                 answer.where,
                 (key.record.sheets[place].code,),
                 problem,
                 name,
-                f"{OPEN} {answer.read.text}".strip() if answer.read.why else answer.read.text,
+                f"? {answer.read.text}".strip() if answer.read.why else answer.read.text,
+                waiting=bool(answer.read.why),
             )
             for (place, problem, name), answer in self.answers.items()
         ]
 
 
-def collect(paths: Sequence[Path], key: Key) -> Scans:
-    """Read the pages of some files.
+def collect(paths: Sequence[Path], key: Key, names: Mapping[Path, str] | None = None) -> Scans:
+    """Read the pages of some files; ``names`` are words for them where their own may name students.
 
     Raises InputError for a file that cannot be opened, and ToolMissingError where a package is missing.
     """
     check_packages()
     class_ = _Class(key)
     for path in paths:
+        name = path.name if names is None else names[path]
         for picture in pictures(path):
-            class_.add(picture)
-        class_.end_of_file(path)
+            class_.add(replace(picture, where=name + picture.where.removeprefix(path.name)))
+        class_.end_of_file(name)
     class_.end()
     return class_.scans
 
@@ -94,8 +88,10 @@ class _Class:
         self.key, self.scans = key, Scans()
         self._exam = key.record.exam_id.upper()
         self._sheets = {sheet.code: place for place, sheet in enumerate(key.record.sheets)}
-        self._pages: dict[tuple[int, int], str] = {}  # where each page was seen first
-        self._left_out: dict[str, int] = {}
+        self._pages: dict[tuple[int, int], list[str]] = {}  # where each page was read
+        self._not_read: dict[tuple[int, int], str] = {}  # where one was seen and could not be read
+        self._readings: dict[Question, list[ScannedAnswer]] = {}
+        self._left_out: dict[str, list[str]] = {}
 
     def add(self, picture: ScanImage) -> None:
         """Read a page."""
@@ -107,9 +103,10 @@ class _Class:
         if why := self._foreign(code):
             self.scans.not_matched.append(NotMatched(found.where, code.sheet, why))
         elif not code.number:
-            self._left_out["pages of problems"] = self._left_out.get("pages of problems", 0) + 1
+            self._left_out.setdefault("pages of problems", []).append(found.where)
         elif found.why:
-            self._lose(found, picture.grey, f"{code.sheet}, page {code.number}")
+            self._not_read.setdefault((self._sheets[code.sheet], code.number), found.where)
+            self._lose(found, picture.grey, self._page(self._sheets[code.sheet], code.number))
         else:
             self._take(found, code, picture.grey)
 
@@ -143,7 +140,7 @@ class _Class:
 
     def _without_code(self, found: ReadPage, grey: Grey | None) -> None:
         if grey is not None and float((grey < 0.6 * np.median(grey)).mean()) < _BLANK_SHARE:
-            self._left_out["blank pages"] = self._left_out.get("blank pages", 0) + 1
+            self._left_out.setdefault("blank pages", []).append(found.where)
         else:
             self._lose(found, grey, "")
 
@@ -153,11 +150,9 @@ class _Class:
         self.scans.lost.append(LostPage(found.where, found.why, b"" if grey is None else _thumbnail(grey)))
 
     def _take(self, found: ReadPage, code: PageCode, grey: Grey | None) -> None:
-        """Take the answers of a page; of a page that is there twice, those that both have."""
+        """Take the answers of a page; one that is there twice is decided about in the end."""
         place = self._sheets[code.sheet]
-        first = self._pages.setdefault((place, code.number), found.where)
-        again = first != found.where
-        differing = 0
+        self._pages.setdefault((place, code.number), []).append(found.where)
         assert found.placed is not None
         assert grey is not None
         for block, (asked, read) in enumerate(zip(self._asked(code), found.answers, strict=True)):
@@ -169,46 +164,63 @@ class _Class:
                 return number is not None and any(is_right(answer, value) for value in number.values)  # type: ignore[arg-type]
 
             result = confirmed(read, right)
-            known = self.scans.answers.get(asked)
-            if known is not None:
-                if known.read.text == result.text or bool(known.read.why) != bool(result.why):
-                    if not known.read.why or result.why:
-                        continue  # as before; else this scan shows what the other one left open
-                else:
-                    differing += 1
-                    result = replace(result, why=(*dict.fromkeys((*result.why, "pages differ")),))
-            picture = _block(grey, found.placed, block) if result.why else b""
-            where = found.where if known is None or not result.why else f"{known.where} and {found.where}"
-            self.scans.answers[asked] = ScannedAnswer(where, result, picture)
-        if again:
-            says = f"other answers, for review: {differing}" if differing else "the answers agree"
-            why = f"the page has been scanned before, {first}: {says}"
-            self.scans.not_matched.append(NotMatched(found.where, f"{code.sheet}, page {code.number}", why))
+            readings = self._readings.setdefault(asked, [])
+            picture = _block(grey, found.placed, block) if result.why or readings else b""
+            readings.append(ScannedAnswer(found.where, result, picture, read.others))
 
-    def end_of_file(self, path: Path) -> None:
+    def end_of_file(self, name: str) -> None:
         """Say what was left out of a file."""
-        for what, count in self._left_out.items():
-            why = f"without answers to read, left out: {what}, {count}"
-            self.scans.not_matched.append(NotMatched(path.name, "", why))
+        for what, places in self._left_out.items():
+            pages = [int(number) for where in places if (number := where.removeprefix(f"{name}, page ")).isdecimal()]
+            why = f"without answers to read, left out: {what}, {len(places)}"
+            self.scans.not_matched.append(NotMatched(name, "", f"{why}: page {_ranges(pages)}" if pages else why))
         self._left_out.clear()
 
     def end(self) -> None:
-        """Say which pages are missing."""
-        seen = {place for place, _ in self._pages}
+        """Decide about pages that were scanned more than once, and say which are missing."""
+        for asked, readings in self._readings.items():
+            self.scans.answers[asked] = settled(readings)
+        for (place, number), (first, *again) in self._pages.items():
+            own = [self.scans.answers[asked].read for asked in self._questions(place)[number - 1]]
+            differing = sum(DIFFER in read.why for read in own)
+            says = f"other answers, for review: {differing}" if differing else "the answers agree"
+            for where in again:
+                why = f"the page has been scanned before, {first}: {says}"
+                self.scans.not_matched.append(NotMatched(where, self._page(place, number), why))
+        seen = {place for place, _ in (*self._pages, *self._not_read)}
         for place in sorted(seen):
-            for number in range(1, len(self._questions(place)) + 1):
+            for number, asked_ in enumerate(self._questions(place), start=1):
                 if (place, number) not in self._pages:
-                    code = self.key.record.sheets[place].code
-                    why = f"page {number} of the pages for answers of this sheet is missing"
-                    self.scans.not_matched.append(NotMatched("scans", code, why))
-        absent = [sheet.code for place, sheet in enumerate(self.key.record.sheets) if place not in seen]
-        if absent:
-            text = ", ".join(absent[:_SHOWN]) + (", ..." if len(absent) > _SHOWN else "")
-            self.scans.not_matched.append(
-                NotMatched(
-                    "scans", text, f"no page for answers of {len(absent)} of {len(self.key.record.sheets)} sheets"
-                )
-            )
+                    self._wait(place, number, asked_)
+        sheets = self.key.record.sheets
+        if absent := [sheet.code for place, sheet in enumerate(sheets) if place not in seen]:
+            why = f"no page for answers of {len(absent)} of {len(sheets)} sheets"
+            self.scans.not_matched.append(NotMatched("scans", ", ".join(absent), why))
+
+    def _page(self, place: int, number: int) -> str:
+        return f"{self.key.record.sheets[place].code}, page {number}"
+
+    def _wait(self, place: int, number: int, questions: Sequence[Question]) -> None:
+        """Let the answers of a page that is missing or could not be read wait until somebody types them."""
+        where, why = self._not_read.get((place, number), ""), _NOT_READ
+        if not where:
+            where, why = "scans", _MISSING
+            told = f"page {number} of the pages for answers of this sheet is missing"
+            self.scans.not_matched.append(NotMatched(where, self.key.record.sheets[place].code, told))
+            self.scans.lost.append(LostPage(self._page(place, number), "the page is missing"))
+        for asked in questions:
+            self.scans.answers[asked] = ScannedAnswer(where, Confirmed("", (why,)))
+
+
+def _ranges(numbers: Sequence[int]) -> str:
+    """Numbers of pages in short: ``1-3, 7``."""
+    runs: list[list[int]] = []
+    for number in numbers:
+        if runs and number == runs[-1][-1] + 1:
+            runs[-1].append(number)
+        else:
+            runs.append([number])
+    return ", ".join(f"{run[0]}-{run[-1]}" if len(run) > 1 else str(run[0]) for run in runs)
 
 
 def _block(grey: Grey, placed: Placed, block: int) -> bytes:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -28,13 +29,22 @@ class Joined:
     typed: Mapping[Question, str]
 
 
-def join(finished: Finished, read: ReadAnswers, scans: Sequence[Path], policy: MarkingPolicy) -> Joined:
-    """Read scans and put their answers behind those of tables. Raises InputError and ToolMissingError."""
+def join(
+    finished: Finished,
+    read: ReadAnswers,
+    scans: Sequence[Path],
+    policy: MarkingPolicy,
+    names: Mapping[Path, str] | None = None,
+) -> Joined:
+    """Read scans and put their answers behind those of tables. Raises InputError and ToolMissingError.
+
+    ``names`` are words for the files where their own may name students.
+    """
     if not finished.exam.scan:
         remedy = "type the answers into a table; the next exam has them with  [answers] scan = true  in its file"
         raise InputError(Problem("the exam was built without pages for answers", str(scans[0]), remedy=remedy))
     key = Key(finished.record, policy.tolerance)
-    found = collect(scans, key)
+    found = collect(scans, key, names)
     typed = typed_before(key, read.answers)
     _confirm_what_follows(finished, read, found, typed, policy)
     own = Scans({asked: answer for asked, answer in found.answers.items() if not _is_typed(asked, found, typed)})
@@ -57,20 +67,33 @@ def _is_typed(asked: Question, scans: Scans, typed: Mapping[Question, str]) -> b
 def _confirm_what_follows(
     finished: Finished, read: ReadAnswers, scans: Scans, typed: Mapping[Question, str], policy: MarkingPolicy
 ) -> None:
-    """Let doubtful readings stand that are right given the student's own earlier answers."""
-    may = {asked for asked, answer in scans.doubtful.items() if answer.read.may_follow and asked not in typed}
-    if not may:
-        return
-    tried = Scans(
-        {
-            asked: replace(answer, read=Confirmed(answer.read.text)) if asked in may else answer
-            for asked, answer in scans.answers.items()
-            if not _is_typed(asked, scans, typed)
-        }
-    )
+    """Let doubtful readings stand that are right given the student's own earlier answers, if these stand.
+
+    One answer of a problem is tried at a time, the others wait: two doubtful readings say nothing for each other.
+    """
+    may: dict[tuple[int, int], list[Question]] = defaultdict(list)
+    for asked, answer in scans.doubtful.items():
+        if answer.read.may_follow and asked not in typed:
+            may[asked[:2]].append(asked)
     key = Key(finished.record, policy.tolerance)
-    answers = (*read.answers, *tried.handed_in(key))
-    for item in mark(finished, replace(read, answers=answers), policy).marks:
-        asked = item.place, item.problem, item.answer.quantity.name
-        if asked in may and item.verdict is Verdict.FOLLOW_THROUGH:
-            scans.answers[asked] = tried.answers[asked]
+    changed = True
+    while changed:
+        changed = False
+        for turn in range(max(map(len, may.values()), default=0)):
+            tried = {
+                asked: replace(scans.answers[asked], read=Confirmed(scans.answers[asked].read.text))
+                for own in may.values()
+                for asked in own[turn : turn + 1]
+            }
+            of_these = {
+                asked: tried.get(asked, answer)
+                for asked, answer in scans.answers.items()
+                if asked[:2] in may and not _is_typed(asked, scans, typed)
+            }
+            answers = (*read.answers, *Scans(of_these).handed_in(key))
+            for item in mark(finished, replace(read, answers=answers), policy).marks:
+                asked = item.place, item.problem, item.answer.quantity.name
+                if asked in tried and item.verdict is Verdict.FOLLOW_THROUGH:
+                    scans.answers[asked] = tried[asked]
+                    changed = True
+        may = {place: rest for place, own in may.items() if (rest := [a for a in own if a in scans.doubtful])}

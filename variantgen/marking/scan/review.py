@@ -19,7 +19,10 @@ from variantgen.errors import InputError, Problem
 from variantgen.finished.restore import Finished
 from variantgen.marking.answer_tables import HandedIn
 from variantgen.marking.key import Key
-from variantgen.marking.scan.collecting import LostPage, Question, ScannedAnswer
+from variantgen.marking.scan.collecting import LostPage, Question
+from variantgen.marking.scan.settling import ScannedAnswer
+from variantgen.marking.typed_number import read_number
+from variantgen.outputs.files.records import safe_cell
 from variantgen.outputs.html.pages import write_page
 from variantgen.wording.mathml import to_mathml
 
@@ -65,22 +68,27 @@ def write_review(
     doubtful: Mapping[Question, ScannedAnswer],
     typed: Mapping[Question, str],
     lost: Collection[LostPage],
+    anonymous: bool,
 ) -> None:
-    """Write both files: all doubtful answers with what was typed of them, and pages that could not be read."""
+    """Write both files: all doubtful answers with what was typed of them, and pages that could not be read.
+
+    Pages have the names of students in their heads, and where the head of such a page is nobody knows: ``anonymous``
+    leaves their pictures out.
+    """
     language = finished.exam.spoken
     sheets = finished.record.sheets
     with (folder / TABLE).open("w", encoding="utf-8-sig", newline="") as file:
         writer = csv.writer(file, delimiter=";" if language.decimal_mark == "," else ",", lineterminator="\r\n")
         writer.writerow(_HEAD)
         for (place, problem, name), answer in doubtful.items():
-            reading = typed.get((place, problem, name), "")
-            own = answer.read.text.replace(".", language.decimal_mark), ", ".join(answer.read.why), answer.where
-            writer.writerow([sheets[place].code, problem, name, reading, *own])
+            reading = _cell(typed.get((place, problem, name), ""))
+            own = _cell(answer.read.text.replace(".", language.decimal_mark)), ", ".join(answer.read.why)
+            writer.writerow([sheets[place].code, problem, name, reading, *own, safe_cell(answer.where)])
     words = language.words("review")
     rows: list[dict[str, Any]] = []
     for (place, problem, name), answer in doubtful.items():
-        if (place, problem, name) in typed:
-            continue
+        if (place, problem, name) in typed or not answer.picture:
+            continue  # what has no picture is on a page that is lost
         variant = finished.variant(place, problem)
         key = next(a for a in Key(finished.record).answers(place, problem) if a.quantity.name == name)
         symbol = language.quantity(key.quantity, dict(variant.form.symbols))
@@ -105,9 +113,16 @@ def write_review(
         words=words,
         table=TABLE,
         answers=rows,
-        typed=len(doubtful) - len(rows),
-        lost=[{"where": page.where, "why": page.why, "picture": _data(page.picture)} for page in lost],
+        typed=len(typed.keys() & doubtful.keys()),
+        lost=[
+            {"where": page.where, "why": page.why, "picture": "" if anonymous else _data(page.picture)} for page in lost
+        ],
     )
+
+
+def _cell(text: str) -> str:
+    """A text that no spreadsheet runs; a number, be it negative, stays one."""
+    return text if read_number(text) else safe_cell(text)
 
 
 def _data(picture: bytes) -> str:

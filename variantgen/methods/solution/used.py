@@ -77,8 +77,7 @@ def _is_idle(item: Item, needed: Collection[Name]) -> bool:
         return not any(name.kind == kind and name.of == body for name in needed)
     if not isinstance(item, Derived):
         return False
-    # What a projected equation was written for is kept; of a system the roots that nothing needs are not.
-    name, found = item.value.name, (item.symbolic or not item.numeric) and item.value.exact != 0
+    name, found = item.value.name, item.symbolic and item.value.exact != 0
     return found and name is not None and name.kind in _QUIET and name not in needed
 
 

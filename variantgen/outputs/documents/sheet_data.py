@@ -12,6 +12,7 @@ from variantgen.outputs.documents.writing import Writing
 from variantgen.outputs.qr import qr_text
 from variantgen.wording.language import Language
 from variantgen.wording.statement import Statement, answer_notes, letter_notes, sign_notes
+from variantgen.wording.text import with_symbols
 
 _SHORT_NAME = 48
 
@@ -123,7 +124,7 @@ def _problem(posed: PosedProblem, language: Language, figures: dict[int, Any], w
         "points": points_text(item.task.points, language),
         **statement_data(said, writing),
         "signs": sign_notes(item.asked, language),
-        "letters": letter_notes(item.asked, language),
+        "letters": [writing.text(with_symbols(note)) for note in letter_notes(item.asked, language)],
         "headings": [
             writing.heading(symbol, language.unit(answer.unit))
             for symbol, answer in zip(said.asked, item.answers, strict=True)

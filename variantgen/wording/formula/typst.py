@@ -43,7 +43,7 @@ class _Typst(Markup):
         },
         cross=' thin class("normal", times) thin ',
         equals=" = ",
-        relations={"=": " = ", "≈": " approx ", "→": " arrow.r ", "∥": " parallel ", "⟂": " perp "},
+        relations={"=": " = ", "≈": " approx ", "<": " lt ", "→": " arrow.r ", "∥": " parallel ", "⟂": " perp "},
         comma="\\, ",
         semicolon="\\; ",
         before_unit=" thin ",

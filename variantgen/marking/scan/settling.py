@@ -1,0 +1,50 @@
+"""What the scans of one answer say together, where its page was scanned more than once.
+
+Nothing is decided before all scans are there, so their order does not matter, and no third copy outvotes two that
+contradict each other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from variantgen.marking.scan.confirming import Confirmed
+
+DIFFER = "pages differ"
+
+
+@dataclass(frozen=True)
+class ScannedAnswer:
+    """An answer on a page: where it was read, how, and for doubtful ones a picture (PNG).
+
+    ``others`` are the numbers that it may say instead.
+    """
+
+    where: str
+    read: Confirmed
+    picture: bytes = b""
+    others: tuple[str, ...] = ()
+
+
+def settled(readings: Sequence[ScannedAnswer]) -> ScannedAnswer:
+    """The one answer of one or more scans of it.
+
+    A clear reading settles a doubtful one only if it is a number that the doubtful one allows: a blank one may have
+    lost a faint mark. Whatever contradicts itself is for a person to look at.
+    """
+    texts = {own.read.text for own in readings}
+    clear = [own for own in readings if not own.read.why]
+    doubtful = [own for own in readings if own.read.why]
+    if not doubtful or not clear:
+        if len(texts) == 1:
+            return readings[0]
+    elif len({own.read.text for own in clear}) == 1:
+        text = clear[0].read.text
+        if text and all(text in (own.read.text, *own.others) for own in doubtful):
+            return clear[0]
+    shown = (doubtful or clear)[0].read.text
+    why = dict.fromkeys([*(one for own in doubtful for one in own.read.why), DIFFER])
+    where = " and ".join(dict.fromkeys(own.where for own in readings))
+    picture = next((own.picture for own in reversed(readings) if own.picture), b"")
+    return ScannedAnswer(where, Confirmed(shown, tuple(why)), picture)
