@@ -23,10 +23,10 @@ from tests.marking.test_marks import acceleration, parameters
 from variantgen.cli import main
 from variantgen.exam import answer_page as page
 from variantgen.exam.manifest import read_manifest
-from variantgen.marking.scan.columns import columns
+from variantgen.marking.scan.columns import Column, columns
 from variantgen.marking.scan.confirming import Confirmed
 from variantgen.marking.scan.darkness import Darkness
-from variantgen.marking.scan.numbers import number
+from variantgen.marking.scan.numbers import number, reading
 from variantgen.marking.scan.pages import read_page
 from variantgen.marking.scan.pictures import ScanImage
 from variantgen.marking.scan.settling import ScannedAnswer, settled
@@ -269,6 +269,22 @@ def test_what_is_typed_of_a_lost_page_is_final(english: Built, tmp_path: Path) -
         assert "file 1" in text
 
 
+def test_the_answers_of_a_missing_page_wait(
+    english: Built, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """As if the five answers stood on two pages, and the second one was not scanned."""
+    monkeypatch.setattr(page, "PER_PAGE", 3)
+    right = [written(value) for _, value in english.key[0]]
+    filled(english.pages[0], right).save(tmp_path / "page.png")
+    out = tmp_path / "marks"
+    _, marks = mark(english, out, tmp_path / "page.png")
+    names = [name for name, _ in english.key[0]]
+    assert [marks[english.code(0), name]["verdict"] for name in names] == ["right"] * 3 + ["unreadable"] * 2
+    assert "not final: 2 answers of 1 student" in capsys.readouterr().err
+    assert [row["why"] for row in rows(out / "review.csv")] == ["page missing"] * 2
+    assert f"{english.code(0)}, page 2" in (out / "review.html").read_text("utf-8")
+
+
 CLEAR, OTHER, BLANK = (ScannedAnswer("a page", Confirmed(text)) for text in ("12", "15", ""))
 DOUBTFUL = ScannedAnswer("a page", Confirmed("17", ("several",)), others=("12",))
 
@@ -479,3 +495,8 @@ def test_files_that_are_no_scans(
 )
 def test_numbers_of_columns(values: list[int | None], text: str | None) -> None:
     assert number(values) == text
+
+
+def test_doubtful_columns_are_counted_and_reasons_named_once() -> None:
+    own = [Column(None), Column(1, "faint"), Column(2, "faint"), Column(3, "several"), *[Column(None)] * 3]
+    assert (reading(own).doubtful, reading(own).doubts) == (3, ("faint", "several"))

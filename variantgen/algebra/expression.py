@@ -294,13 +294,12 @@ def total(parts: Sequence[Expression]) -> Expression:
 
 def hypotenuse(parts: Sequence[Expression]) -> Expression:
     """Root of the sum of squares, of sums with the sign with which they begin by a plus; of one part its magnitude."""
-    if len(parts) == 1:
-        return Magnitude(parts[0])
-    return SquareRoot(total([Raised(begun_by_plus(part), 2) for part in parts]))
+    squares = [Raised(begun_by_plus(part), 2) for part in parts]
+    return Magnitude(parts[0]) if len(parts) == 1 else SquareRoot(total(squares))
 
 
 def begun_by_plus(item: Expression) -> Expression:
     """A sum that begins with a minus with all its signs changed, for a square, which is the same."""
-    if not isinstance(item, Total) or item.terms[0][0] > 0:
-        return item
-    return Total(tuple((-sign, term) for sign, term in item.terms))
+    if isinstance(item, Total) and item.terms[0][0] < 0:
+        return Total(tuple((-sign, term) for sign, term in item.terms))
+    return item

@@ -16,14 +16,16 @@ _MOST = 64  # other readings that are tried
 class Reading:
     """An answer as it was read: ``text`` like ``-12.5``, '' for a blank one, None where it is no number.
 
-    ``doubts`` say why a person should look. Only a reading that ``may_confirm`` itself is taken where the key agrees.
-    ``others`` are readings that would come about if a doubtful or weak column were read in another way.
+    ``doubts`` say why a person should look, each reason once; ``doubtful`` columns have them. Only a reading that
+    ``may_confirm`` itself is taken where the key agrees. ``others`` are readings that would come about if a doubtful
+    or weak column were read in another way.
     """
 
     text: str | None
     doubts: tuple[str, ...] = ()
     may_confirm: bool = True
     others: tuple[str, ...] = ()
+    doubtful: int = 0
 
 
 def reading(own: Sequence[Column]) -> Reading:
@@ -34,7 +36,7 @@ def reading(own: Sequence[Column]) -> Reading:
         doubts = (*doubts, "gap")
     others = tuple(dict.fromkeys(other for other in _others(own) if other != text))
     open_ = text is None or any(column.open for column in own)
-    return Reading(text, doubts, not open_, others)
+    return Reading(text, doubts, not open_, others, sum(bool(column.doubt) for column in own))
 
 
 def number(values: Sequence[int | None]) -> str | None:

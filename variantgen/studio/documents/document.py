@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from variantgen.errors import InputError, Problem, VariantgenError
+from variantgen.limits import TOML_BYTES
 from variantgen.studio.documents.edits import Operation, apply, value_at
 from variantgen.studio.documents.journal import Journal, version_of
 from variantgen.studio.documents.toml_lines import Path as Path_
@@ -179,6 +180,9 @@ class Document:
         """Write a new text, unless it has mistakes that the file has not."""
         if text == self._state.text:
             return self._state
+        if len(text.encode()) > TOML_BYTES:
+            message = f"would be larger than {TOML_BYTES // 1000} kB"
+            raise InputError(Problem(message, file=self.path.name, remedy="shorten its texts"))
         known = {(m.key, m.message) for m in self.mistakes()}
         new = [m for m in self.check(text) if (m.key, m.message) not in known and not _is_empty(m)]
         if new:

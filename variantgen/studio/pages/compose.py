@@ -13,12 +13,12 @@ from starlette.routing import Route
 from variantgen.studio.catalogue import cards
 from variantgen.studio.documents.document import Document
 from variantgen.studio.documents.edits import plain
-from variantgen.studio.frame import command, language_of, part, render
+from variantgen.studio.frame import build_command, language_of, part, render
 from variantgen.studio.requests import number_of, read_json, text_of
 from variantgen.studio.studio import Studio
-from variantgen.studio.summary import students, summary
+from variantgen.studio.summary import summary
 from variantgen.studio.words import page_words
-from variantgen.studio.workspace import BUILDS, ROSTER, write_whole
+from variantgen.studio.workspace import write_whole
 
 DEPTHS = ("full", "short", "answers", "none")
 _MOST = 100  # problems of an exam
@@ -32,15 +32,7 @@ def routes(studio: Studio) -> list[Route]:
 
     async def compose(request: Request) -> Response:
         document = opened(request)
-        out = ("--roster", ROSTER) if students(studio) is not None else ("--variants", "30")
-        line = command(
-            "variantgen",
-            "build",
-            document.path.name,
-            *out,
-            "--out",
-            f"{BUILDS}/{studio.builds.next_name(document.key)}",
-        )
+        line = build_command(studio, document)
         return render(request, "compose", studio, document, line, settings=_settings(document), depths=DEPTHS)
 
     async def outline(request: Request) -> Response:

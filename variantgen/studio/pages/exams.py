@@ -24,13 +24,15 @@ def routes(studio: Studio) -> list[Route]:
 
     async def exams(request: Request) -> Response:
         found = studio.workspace.exams()
-        if len(found) == 1 and "all" not in request.query_params:
+        unreadable = studio.workspace.unreadable()
+        if len(found) == 1 and not unreadable and "all" not in request.query_params:
             key = next(iter(found))
             page = "compose" if problems_of(studio.document(key)) else "choose"
             return RedirectResponse(f"/{key}/{page}", 303)
         words = page_words(language_of(request))
         listed = [_row(studio.document(key), words.counted) for key in found]
-        return render(request, "exams", studio, command=command("variantgen", "new", "exam", "exam"), listed=listed)
+        line = command("variantgen", "new", "exam", "exam")
+        return render(request, "exams", studio, command=line, listed=listed, unreadable=unreadable)
 
     async def create(request: Request) -> Response:
         data = await read_json(request)
