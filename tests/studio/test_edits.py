@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import tomllib
 from pathlib import Path
@@ -162,6 +163,17 @@ def test_undo_and_redo_go_through_restarts_and_editors(folder: Path) -> None:
     for _ in range(3):
         exam.undo(+1)
     assert path.read_text() == by_hand + "# end\n"
+
+
+@pytest.mark.parametrize("wrong", [{"about": 5}, {"before": 5}, {"words": []}, {"time": "x"}, {"about": {"a": []}}])
+def test_a_damaged_journal_counts_as_none(folder: Path, wrong: dict[str, object]) -> None:
+    exam = document(folder)
+    exam.edit(points(1, 11), exam.state().version)
+    kept = folder / ".studio" / "journal" / "journal.json"
+    data = json.loads(kept.read_text())
+    data["steps"][0] |= wrong
+    kept.write_text(json.dumps(data))
+    assert document(folder).undo() is None
 
 
 def test_undo_keeps_what_no_clock_has_noticed(folder: Path) -> None:
