@@ -10,7 +10,7 @@ import math
 from collections.abc import Iterable, Iterator
 from typing import TypeAlias
 
-from variantgen.algebra.expression import Applied, Constant, Expression, Raised, Ratio, Times, Total, begun_by_plus
+from variantgen.algebra.expression import Applied, Constant, Expression, Raised, Ratio, Times, Total
 
 Maybe: TypeAlias = Expression | None
 Signed: TypeAlias = tuple[int, Expression]
@@ -166,5 +166,5 @@ def positive(item: Expression) -> Signed:
 def squared(parts: Iterable[Expression]) -> Expression:
     """The sum of squares, without a minus before what is squared."""
     kept = (tuple(terms_of(part)) for part in parts)
-    bare = (terms[0][1] if len(terms) == 1 else begun_by_plus(Total(terms)) for terms in kept)
+    bare = (terms[0][1] if len(terms) == 1 else Total(terms).begun_by_plus for terms in kept)
     return summed((1, part**2) for part in bare if part != Constant(0.0))
