@@ -295,9 +295,3 @@ def sin(angle: Expression) -> Expression:
 def total(parts: Sequence[Expression]) -> Expression:
     """A sum; of a single part the part itself."""
     return parts[0] if len(parts) == 1 else Total(tuple((1, part) for part in parts))
-
-
-def hypotenuse(parts: Sequence[Expression]) -> Expression:
-    """Root of the sum of squares, of sums with the sign with which they begin by a plus; of one part its magnitude."""
-    squares = [Raised(part.begun_by_plus if isinstance(part, Total) else part, 2) for part in parts]
-    return Magnitude(parts[0]) if len(parts) == 1 else SquareRoot(total(squares))

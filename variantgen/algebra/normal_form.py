@@ -10,7 +10,18 @@ import math
 from collections.abc import Iterable, Iterator
 from typing import TypeAlias
 
-from variantgen.algebra.expression import Applied, Constant, Expression, Raised, Ratio, Times, Total
+from variantgen.algebra.expression import (
+    Applied,
+    Constant,
+    Expression,
+    Magnitude,
+    Raised,
+    Ratio,
+    SquareRoot,
+    Times,
+    Total,
+    total,
+)
 
 Maybe: TypeAlias = Expression | None
 Signed: TypeAlias = tuple[int, Expression]
@@ -168,3 +179,9 @@ def squared(parts: Iterable[Expression]) -> Expression:
     kept = (tuple(terms_of(part)) for part in parts)
     bare = (terms[0][1] if len(terms) == 1 else Total(terms).begun_by_plus for terms in kept)
     return summed((1, part**2) for part in bare if part != Constant(0.0))
+
+
+def hypotenuse(parts: Sequence[Expression]) -> Expression:
+    """Root of the sum of squares, of sums with the sign with which they begin by a plus; of one part its magnitude."""
+    squares = [Raised(part.begun_by_plus if isinstance(part, Total) else part, 2) for part in parts]
+    return Magnitude(parts[0]) if len(parts) == 1 else SquareRoot(total(squares))
