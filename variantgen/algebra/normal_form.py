@@ -7,7 +7,7 @@ in front, like factors as powers, functions at its end.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TypeAlias
 
 from variantgen.algebra.expression import (
