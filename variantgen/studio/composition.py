@@ -144,6 +144,7 @@ def problem(
         "nice": table.get("nice") is True,
         "can_be_nice": bool(family.nice_forms),
         "tolerance": _tolerance(table.get("tolerance")),
+        "tolerance_key": "tolerance.floor" if isinstance(table.get("tolerance"), dict) else "tolerance",
     }
 
 

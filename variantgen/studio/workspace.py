@@ -16,7 +16,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from variantgen.errors import InputError, Problem
-from variantgen.families.files import FAMILY
 from variantgen.limits import TOML_BYTES
 from variantgen.tables import read_limited, read_text
 
@@ -52,10 +51,6 @@ class Workspace:
             if is_own(path, self.folder) and _is_exam(path):
                 found[_key(path.stem, found)] = path
         return found
-
-    def has_families(self) -> bool:
-        """Whether families of the instructor's own lie here."""
-        return any(is_own(path, self.folder) for path in self.folder.glob(f"*/{FAMILY}"))
 
     def roster(self) -> Path | None:
         """The class list, if there is one. Raises InputError for a link."""

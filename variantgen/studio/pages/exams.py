@@ -9,6 +9,7 @@ from starlette.responses import JSONResponse, RedirectResponse, Response
 from starlette.routing import Route
 
 from variantgen.errors import InputError, Problem
+from variantgen.limits import TOML_BYTES
 from variantgen.studio.documents.document import Document
 from variantgen.studio.documents.edits import read_operations, written
 from variantgen.studio.frame import command, language_of, render, step_words
@@ -58,7 +59,8 @@ def routes(studio: Studio) -> list[Route]:
     async def text(request: Request) -> Response:
         data, document = await read_json(request), studio.document(request.path_params["exam"])
         window = text_of(data, "window", WINDOW)
-        document.replace(text_of(data, "text", 200_000), text_of(data, "version"), window)
+        document.replace(text_of(data, "text", TOML_BYTES), text_of(data, "version"), window)
+        studio.workspace.state("drafts", f"{document.key}.json").unlink(missing_ok=True)
         studio.tell_changed(document, window)
         return JSONResponse(answer(request, studio, document))
 
