@@ -104,6 +104,13 @@ def test_units_as_typed(text: str, own: str, value: float) -> None:
     assert found.in_unit(unit(own)) == pytest.approx((value,))
 
 
+def test_a_product_has_no_digits_of_its_own() -> None:
+    """In binary numbers 275.08802 / 100 is 2.7508801999999997, which is below the end of a tolerance at 2.7508802."""
+    found = read_number("275.08802*10^-2")
+    assert found is not None
+    assert found.values == (2.7508802,)
+
+
 def test_a_unit_of_something_else_gives_no_value() -> None:
     found = read_number("3 m")
     assert found is not None

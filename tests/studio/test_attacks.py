@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import os
+import shutil
 import stat
 from pathlib import Path
 
@@ -11,7 +13,8 @@ import pytest
 from tests.studio.asking import HOST, PORT, Asking
 from tests.studio.conftest import EXAM, TOKEN
 from variantgen.errors import InputError
-from variantgen.studio import security
+from variantgen.resources import catalog_dir
+from variantgen.studio import security, server
 from variantgen.studio.workspace import Workspace, write_whole
 
 PAGES = ("/?all", "/exam/choose", "/exam/state", "/exam/chosen", "/static/studio.js")
@@ -130,6 +133,65 @@ def test_links_out_of_the_folder_are_left_alone(folder: Path, client: Asking) ->
     (folder / "exam.toml").symlink_to(outside)
     assert client.post("/exam/edit", {**EDIT, "version": version}).status == 404
     assert outside.read_text() == EXAM
+
+
+def test_links_inside_the_folder_of_the_studio_are_refused(folder: Path, client: Asking) -> None:
+    outside = folder.parent / "outside"
+    outside.mkdir()
+    (folder / ".studio").mkdir(exist_ok=True)
+    for name in ("journals", "drafts", "cache"):
+        (folder / ".studio" / name).symlink_to(outside)
+    assert client.get("/exam/state").status == client.get("/exam/cards").status == 400
+    assert list(outside.iterdir()) == []
+
+
+def test_a_linked_family_is_not_read_beside_an_own_one(folder: Path, client: Asking) -> None:
+    shutil.copytree(catalog_dir() / "spool", folder.parent / "stolen")
+    shutil.copytree(catalog_dir() / "spool", folder / "mine")
+    (folder / "stolen").symlink_to(folder.parent / "stolen")
+    for name, status in (("mine", 200), ("stolen", 400)):
+        (folder / "exam.toml").write_text(EXAM.replace('"spool"', f'"{name}"'))
+        assert client.get("/exam/problem/2").status == status
+
+
+def test_the_cache_is_checked(folder: Path, client: Asking) -> None:
+    assert client.get("/exam/cards").status == 200
+    kept = next((folder / ".studio" / "cache").glob("cards-*.json"))
+    right = json.loads(kept.read_text())
+    symbols = {**right[0], "ask": {"en": ["<form action=/x>POISON"], "ru": []}}
+    for wrong in ([symbols, *right[1:]], [{}], {}, {"a": 1}, [5], [{**right[0], "titles": 5}]):
+        kept.write_text(json.dumps(wrong))
+        answer = client.get("/exam/cards")
+        assert answer.status == 200 and "POISON" not in answer.text and "four_bar" in answer.text
+
+
+def test_only_an_own_studio_is_opened_again(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    workspace = Workspace(folder)
+    monkeypatch.setattr(server, "_answers", lambda *_: True)
+    good = f"http://127.0.0.1:{PORT}/?t=abc-_9"
+    lock = workspace.state("running.json")
+    lock.write_text(json.dumps({"process": os.getpid(), "address": good}))
+    assert server._running(workspace) == good
+    for address in (
+        f"http://127.0.0.1:{PORT}/?t=a&b=c", f"http://127.0.0.1:{PORT}/logout", "http://127.0.0.1:99999/?t=a",
+        "http://127.0.0.1:²/?t=a", f"http://evil.example:{PORT}/?t=a", f"http://127.0.0.1:{PORT}@evil/?t=a", 5,
+    ):  # fmt: skip
+        lock.write_text(json.dumps({"process": os.getpid(), "address": address}))
+        assert server._running(workspace) == "", address
+    for process in (-1, 0, 2**22 + 1, 10**30, "1", None):
+        lock.write_text(json.dumps({"process": process, "address": good}))
+        assert server._running(workspace) == "", process
+
+
+def test_texts_are_measured_in_bytes_and_unreadable_files_listed(folder: Path, client: Asking) -> None:
+    version = client.get("/exam/state").json()["version"]
+    large = EXAM + "# " + "ж" * 120_000 + "\n"
+    refused = client.post("/exam/text", {"text": large, "version": version})
+    assert refused.status == 400 and "200 kB" in refused.json()["problems"][0]["message"]
+    assert client.get("/exam/state").status == 200
+    (folder / "old.toml").write_bytes(EXAM.replace("Homework", "Работа").encode("cp1251"))
+    page = client.get("/").text
+    assert "old.toml" in page and "UTF-8" in page
 
 
 def test_a_link_as_the_folder_of_the_studio_is_refused(tmp_path: Path) -> None:

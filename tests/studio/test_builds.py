@@ -2,16 +2,25 @@
 
 from __future__ import annotations
 
+import asyncio
 import hashlib
+import html
+import io
 import re
+import shlex
+import zipfile
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+import pytest
 from playwright.sync_api import expect
 
 from tests.studio.asking import Asking
 from tests.studio.conftest import EXAM, Visit
 from variantgen.cli import main
+from variantgen.errors import InputError
+from variantgen.studio.studio import Studio
 
 SMALL = EXAM.replace("[[problem]]", '[solutions]\ndepth = "none"\n\n[[problem]]', 1)
 
@@ -20,7 +29,13 @@ def hashes(folder: Path) -> dict[str, str]:
     return {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in folder.iterdir() if path.is_file()}
 
 
-def test_an_exam_is_built_downloaded_and_checked(visit: Callable[..., Visit], tmp_path: Path) -> None:
+def shown_command(client: Asking) -> list[str]:
+    found = re.search(r'id="command"[^>]*>([^<]*)', client.get("/exam/build").text)
+    assert found
+    return shlex.split(html.unescape(found[1]))
+
+
+def test_an_exam_is_built_downloaded_and_checked(visit: Callable[..., Visit], folder: Path, client: Asking) -> None:
     window = visit(SMALL)
     page = window.open("/exam/build")
     page.get_by_label("Numbered variants").fill("2")
@@ -32,10 +47,15 @@ def test_an_exam_is_built_downloaded_and_checked(visit: Callable[..., Visit], tm
     window.open("/exam/build")
     expect(page.locator("[data-build]")).to_have_count(1, timeout=60_000)
     words = command.split()
-    assert words[:5] == ["variantgen", "build", "exam.toml", "--variants", "2"] and words[-2] == "--out"
-    built = window.folder / words[-1]
-    assert main(["build", str(window.folder / "exam.toml"), "--variants", "2", "--out", str(tmp_path / "by-hand")]) == 0
-    assert hashes(built) == hashes(tmp_path / "by-hand")
+    assert (
+        words[:5] == ["variantgen", "build", str(window.folder / "exam.toml"), "--variants", "2"]
+        and words[-2] == "--out"
+    )
+    built = Path(words[-1])
+    (folder / "exam.toml").write_text(SMALL)  # a fresh folder, where nothing has been built
+    by_hand = ["2" if word == "30" else word for word in shown_command(client)]
+    assert main(by_hand[1:]) == 0
+    assert hashes(built) == hashes(Path(by_hand[-1]))
     with page.expect_download() as download:
         page.get_by_role("link", name=re.compile("sheets.pdf")).click()
     assert download.value.path().read_bytes() == (built / "sheets.pdf").read_bytes()
@@ -62,6 +82,58 @@ def test_builds_are_found_by_key_and_stay_inside(client: Asking, folder: Path) -
     assert "attachment" in found[1].headers["content-disposition"]
     for path in ("../exam-2026-01-02", "nothing", "..", "exam"):
         assert client.get(f"/builds/{path}/file/0").status == 404
+
+
+def test_builds_of_another_exam_are_not_its_own(client: Asking, folder: Path) -> None:
+    for name in ("exam-2026-01-02", "exam-2026-01-02-2", "exam-2027-2026-01-02", "exam-x-2026-01-02"):
+        (folder / "builds" / name).mkdir(parents=True)
+        (folder / "builds" / name / "manifest.json").write_text('{"files": {}, "students": [1], "seed": "1"}')
+    found = re.findall(r'data-build="([^"]*)', client.get("/exam/archive").text)
+    assert found == ["exam-2026-01-02-2", "exam-2026-01-02"]
+    (folder / "exam-2027.toml").write_text(EXAM)
+    assert re.findall(r'data-build="([^"]*)', client.get("/exam-2027/archive").text) == ["exam-2027-2026-01-02"]
+    (folder / "builds" / "exam-2026-01-02" / "manifest.json").write_text("[" * 100_000)
+    assert client.get("/exam/archive").status == 200
+    for address in ("search?who=x", "sheet.pdf?who=--help"):
+        assert client.get(f"/builds/exam-2026-01-02-2/{address}").status == 400
+    answer = client.get("/builds/exam-2026-01-02-2/all.zip")
+    assert zipfile.ZipFile(io.BytesIO(answer.content)).namelist() == ["exam-2026-01-02-2/manifest.json"]
+    assert client.post("/exam/stop", {}).json() == {}
+
+
+def test_a_roster_counts_as_a_build_reads_it(client: Asking, folder: Path) -> None:
+    roster = folder / "roster.csv"
+    roster.write_bytes("id;name\n1;Иванов\n2;Петров\n".encode("cp1251"))  # as a spreadsheet writes it
+    page = client.get("/exam/build").text
+    assert "For 2\N{NO-BREAK SPACE}students of the roster" in page and "--roster" in page
+    assert client.get("/exam/students").json()["names"] == ["Иванов", "Петров"]
+    roster.write_text("id,name\n1,Ivanov\n1,Petrov\n")
+    page = client.get("/exam/build").text
+    assert 'class="error" role="alert"' in page and 'id="start"' not in page and "--roster" in page
+    assert client.post("/exam/start", {"variants": "2"}).status == 400
+    assert client.get("/exam/compose").status == 200 and client.get("/exam/sheet/1").status == 400
+    roster.unlink()
+    (folder / "elsewhere").write_text("id,name\n1,Ivanov\n")
+    roster.symlink_to(folder / "elsewhere")
+    assert "is a link" in client.get("/exam/build").text
+    assert client.post("/exam/start", {"variants": "2"}).status == 400
+
+
+def test_two_starts_at_once_are_one(studio: Studio, monkeypatch: pytest.MonkeyPatch) -> None:
+    async def never(*_: object, **__: object) -> None:
+        await asyncio.sleep(0)
+        raise OSError("no process")
+
+    monkeypatch.setattr(asyncio, "create_subprocess_exec", never)
+
+    async def twice() -> list[BaseException | None]:
+        starts = [studio.builds.start("exam", studio.workspace.folder / "exam.toml", 2) for _ in range(2)]
+        return list(await asyncio.gather(*starts, return_exceptions=True))
+
+    with ThreadPoolExecutor(1) as pool:  # a browser that is open keeps the loop of this thread
+        results = pool.submit(lambda: asyncio.run(twice())).result()
+    assert [type(found) for found in results] == [OSError, InputError]
+    assert studio.builds.state("exam") == {}
 
 
 def test_next_year_is_a_file_of_its_own(client: Asking, folder: Path) -> None:

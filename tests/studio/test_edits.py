@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import tomllib
 from pathlib import Path
@@ -107,6 +108,22 @@ def test_lines_of_keys_are_found() -> None:
     assert found.line(parse_path("problem[2].missing")) == 16
 
 
+def test_a_removed_problem_takes_no_comment_that_stands_by_itself() -> None:
+    text = EXAM.replace("points = 10\n", "points = 10\n\n# Part two\n")
+    assert "# Part two" in changed(text, op="remove", path="problem[1]")
+    assert "# Part two" in changed(text, op="remove", path="problem[2]")
+
+
+def test_ends_of_lines_and_the_mark_of_byte_order_stay(folder: Path) -> None:
+    path = folder / "exam.toml"
+    path.write_bytes(b"\xef\xbb\xbf" + EXAM.replace("\n", "\r\n").encode())
+    exam = document(folder)
+    exam.edit(read_operations([{"op": "set", "path": "problem[1].nice", "value": False}]), exam.state().version)
+    exam.replace(exam.state().text.replace("points = 5", "points = 6"), exam.state().version)
+    new = EXAM.replace("points = 10\n", "points = 10\nnice = false\n").replace("points = 5", "points = 6")
+    assert path.read_bytes() == b"\xef\xbb\xbf" + new.replace("\n", "\r\n").encode()
+
+
 def document(folder: Path) -> Document:
     return Document("exam", folder / "exam.toml", folder, folder / ".studio" / "journal")
 
@@ -146,6 +163,17 @@ def test_undo_and_redo_go_through_restarts_and_editors(folder: Path) -> None:
     for _ in range(3):
         exam.undo(+1)
     assert path.read_text() == by_hand + "# end\n"
+
+
+@pytest.mark.parametrize("wrong", [{"about": 5}, {"before": 5}, {"words": []}, {"time": "x"}, {"about": {"a": []}}])
+def test_a_damaged_journal_counts_as_none(folder: Path, wrong: dict[str, object]) -> None:
+    exam = document(folder)
+    exam.edit(points(1, 11), exam.state().version)
+    kept = folder / ".studio" / "journal" / "journal.json"
+    data = json.loads(kept.read_text())
+    data["steps"][0] |= wrong
+    kept.write_text(json.dumps(data))
+    assert document(folder).undo() is None
 
 
 def test_undo_keeps_what_no_clock_has_noticed(folder: Path) -> None:

@@ -130,6 +130,10 @@ def test_text_with_mistakes_stays_a_draft(visit: Open) -> None:
     page.get_by_role("button", name="line 15").wait_for()
     assert "did you mean points?" in page.locator("#oops").inner_text()
     assert (window.folder / "exam.toml").read_text() == EXAM
+    page.reload()  # what was left is offered again
+    page.get_by_role("button", name="Go on with it").click()
+    page.get_by_role("button", name="line 15").wait_for()
+    expect(source).to_have_value(EXAM.replace("points = 5", "pionts = 5"))
     source.fill(EXAM.replace("points = 5", "points = 50"))
     page.get_by_text("60\N{NO-BREAK SPACE}points").first.wait_for()
     assert saved(window)["problem"][1]["points"] == 50

@@ -170,6 +170,11 @@ class Total(Expression):
         """The terms."""
         return [term for _, term in self.terms]
 
+    @property
+    def begun_by_plus(self) -> Total:
+        """The sum, with all signs changed if it begins with a minus: its square is the same."""
+        return self if self.terms[0][0] > 0 else Total(tuple((-sign, term) for sign, term in self.terms))
+
 
 @dataclass(frozen=True, slots=True)
 class Times(Expression):
@@ -290,17 +295,3 @@ def sin(angle: Expression) -> Expression:
 def total(parts: Sequence[Expression]) -> Expression:
     """A sum; of a single part the part itself."""
     return parts[0] if len(parts) == 1 else Total(tuple((1, part) for part in parts))
-
-
-def hypotenuse(parts: Sequence[Expression]) -> Expression:
-    """Root of the sum of squares, of sums with the sign with which they begin by a plus; of one part its magnitude."""
-    if len(parts) == 1:
-        return Magnitude(parts[0])
-    return SquareRoot(total([Raised(begun_by_plus(part), 2) for part in parts]))
-
-
-def begun_by_plus(item: Expression) -> Expression:
-    """A sum that begins with a minus with all its signs changed, for a square, which is the same."""
-    if not isinstance(item, Total) or item.terms[0][0] > 0:
-        return item
-    return Total(tuple((-sign, term) for sign, term in item.terms))

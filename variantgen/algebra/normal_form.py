@@ -7,10 +7,21 @@ in front, like factors as powers, functions at its end.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TypeAlias
 
-from variantgen.algebra.expression import Applied, Constant, Expression, Raised, Ratio, Times, Total, begun_by_plus
+from variantgen.algebra.expression import (
+    Applied,
+    Constant,
+    Expression,
+    Magnitude,
+    Raised,
+    Ratio,
+    SquareRoot,
+    Times,
+    Total,
+    total,
+)
 
 Maybe: TypeAlias = Expression | None
 Signed: TypeAlias = tuple[int, Expression]
@@ -166,5 +177,11 @@ def positive(item: Expression) -> Signed:
 def squared(parts: Iterable[Expression]) -> Expression:
     """The sum of squares, without a minus before what is squared."""
     kept = (tuple(terms_of(part)) for part in parts)
-    bare = (terms[0][1] if len(terms) == 1 else begun_by_plus(Total(terms)) for terms in kept)
+    bare = (terms[0][1] if len(terms) == 1 else Total(terms).begun_by_plus for terms in kept)
     return summed((1, part**2) for part in bare if part != Constant(0.0))
+
+
+def hypotenuse(parts: Sequence[Expression]) -> Expression:
+    """Root of the sum of squares, of sums with the sign with which they begin by a plus; of one part its magnitude."""
+    squares = [Raised(part.begun_by_plus if isinstance(part, Total) else part, 2) for part in parts]
+    return Magnitude(parts[0]) if len(parts) == 1 else SquareRoot(total(squares))

@@ -132,7 +132,9 @@ class _Reader:
             found = self._signed()
         except (ArithmeticError, ValueError, IndexError):
             return None
-        return found if not self._tokens and (not found or 1 / _LARGEST <= abs(found) <= _LARGEST) else None
+        if self._tokens or (found and not 1 / _LARGEST <= abs(found) <= _LARGEST):
+            return None
+        return float(f"{found:.{_DIGITS}g}")  # a product could lie beyond the end of a tolerance by its last digit
 
     def _peek(self) -> str | float:
         return self._tokens[0] if self._tokens else ""

@@ -10,8 +10,9 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 
-from variantgen.algebra.expression import Applied, Expression, Ratio, Value, hypotenuse
+from variantgen.algebra.expression import Applied, Expression, Ratio, Value
 from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import hypotenuse
 from variantgen.methods.centres.known_centre import resting_contacts
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.groups.contact import resting_letter

@@ -17,9 +17,10 @@ from typing import Any
 
 from variantgen.errors import InputError, Problem
 from variantgen.studio.events import Events
-from variantgen.studio.workspace import BUILDS, MANIFEST, ROSTER, Workspace, is_own
+from variantgen.studio.workspace import BUILDS, MANIFEST, Workspace, is_own
 
 _KEY = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]{0,79}")
+_DAY = r"-\d{4}-\d\d-\d\d(?:-\d{1,3})?"  # what the name of a build has after that of its exam
 _FIRST = 3.0  # seconds before a rate is told
 
 
@@ -71,34 +72,39 @@ class Builds:
 
         Raises InputError for a day with a thousand builds.
         """
+        home = self._workspace.folder / BUILDS
+        if home.is_symlink():
+            raise InputError(Problem("is a link", file=BUILDS, remedy="remove it"))
+        home.mkdir(exist_ok=True)  # the command that pages show needs it, too
         for number in range(1, 1000):
             name = f"{exam}-{date.today().isoformat()}" + (f"-{number}" if number > 1 else "")
-            if not (self._workspace.folder / BUILDS / name).exists():
+            if not (home / name).exists():
                 return name
         raise InputError(Problem("there are too many builds of today", remedy="move some elsewhere"))
 
     async def start(self, exam: str, path: Path, variants: int | None) -> None:
         """Begin a build for the roster, or for numbered variants. Raises InputError while one runs."""
         running = self._running.get(exam)
-        if running and running.process is not None and running.process.returncode is None:
+        if running and (running.process is None or running.process.returncode is None):
             raise InputError(Problem("a build of this exam is under way", remedy="wait for it, or stop it"))
         folder = self._workspace.folder
-        if (folder / BUILDS).is_symlink():
-            raise InputError(Problem("is a link", file=BUILDS, remedy="remove it"))
-        (folder / BUILDS).mkdir(exist_ok=True)
         name = self.next_name(exam)
         found = self._running[exam] = RunningBuild(name)
         wanted = {
             "exam": str(path),
-            "roster": "" if variants else str(folder / ROSTER),
+            "roster": "" if variants else str(self._workspace.roster()),
             "variants": variants,
             "out": str(folder / BUILDS / name),
             "jobs": max(1, min(4, (os.cpu_count() or 1) - 1)),
         }
-        found.process = await asyncio.create_subprocess_exec(
-            sys.executable, "-m", "variantgen.studio.build_process",
-            stdin=asyncio.subprocess.PIPE, stdout=asyncio.subprocess.PIPE,
-        )  # fmt: skip
+        try:
+            found.process = await asyncio.create_subprocess_exec(
+                sys.executable, "-m", "variantgen.studio.build_process",
+                stdin=asyncio.subprocess.PIPE, stdout=asyncio.subprocess.PIPE,
+            )  # fmt: skip
+        except BaseException:
+            del self._running[exam]
+            raise
         assert found.process.stdin is not None, "it was asked for"
         found.process.stdin.write(json.dumps(wanted).encode() + b"\n")
         self._tell(exam, found, {"phase": "begun", "done": 0, "total": 0})
@@ -137,13 +143,13 @@ class Builds:
         for exam in self._running:
             self.stop(exam)
 
-    def finished(self) -> dict[str, FinishedBuild]:
-        """The finished builds by their keys, the newest first."""
+    def finished(self, exam: str = "") -> dict[str, FinishedBuild]:
+        """The finished builds by their keys, the newest first; those of an exam are known by their names."""
         home = self._workspace.folder / BUILDS
         paths = [] if home.is_symlink() else list(home.glob(f"*/{MANIFEST}"))
         found = [one for one in map(self._read, paths) if one is not None]
         found.sort(key=lambda one: (one.day, one.folder.name), reverse=True)
-        return {one.key: one for one in found}
+        return {one.key: one for one in found if not exam or re.fullmatch(re.escape(exam) + _DAY, one.folder.name)}
 
     def _read(self, path: Path) -> FinishedBuild | None:
         """A build by its manifest, which is read once; None for what is none."""
@@ -165,7 +171,7 @@ def _finished(path: Path) -> FinishedBuild | None:
         files = tuple((n, (path.parent / n).stat().st_size) for n in names if is_own(path.parent / n, path.parent))
         title = str(data.get("exam", {}).get("title", "")) if isinstance(data.get("exam"), dict) else ""
         students, seed = len(data["students"]), str(data["seed"])
-    except (OSError, ValueError, KeyError, TypeError):
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
         return None
     name = path.parent.name
     key = name if _KEY.fullmatch(name) else "build-" + hashlib.sha256(name.encode()).hexdigest()[:8]

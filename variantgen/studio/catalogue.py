@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import re
 import tomllib
 from collections.abc import Mapping
 from functools import cache
@@ -33,6 +34,7 @@ _ABOUT = {
     "Circling": "compound",
 }
 
+_SYMBOL = re.compile(r"(?:[^<>]|</?(?:i|sub|sup)>)*")
 _FORMAT = 2  # of the cards in the cache
 
 Card = dict[str, Any]
@@ -47,9 +49,11 @@ def family_files(workspace: Workspace) -> dict[str, Path]:
     return dict(sorted(found.items()))
 
 
-def own_folders(workspace: Workspace) -> tuple[Path, ...]:
-    """Where families are looked for besides the catalogue."""
-    return (workspace.folder.resolve(),) if workspace.has_families() else ()
+def own_folders(workspace: Workspace, family: str) -> tuple[Path, ...]:
+    """Where a family is looked for besides the catalogue: in the folder, unless it is only linked there."""
+    files = workspace.folder.glob(f"*/{FAMILY}")
+    own = any(path.parent.name == family and is_own(path, workspace.folder) for path in files)
+    return (workspace.folder.resolve(),) if own else ()
 
 
 def family_version(path: Path) -> str:
@@ -69,12 +73,27 @@ def cards(workspace: Workspace) -> list[Card]:
     kept = workspace.state("cache", f"cards-{name}.json")
     try:
         found: list[Card] = json.loads(kept.read_text("utf-8"))
-    except (OSError, ValueError):
+        if not found or not isinstance(found, list) or not all(map(_is_card, found)):
+            raise ValueError(kept)
+    except (OSError, ValueError, TypeError, KeyError, AttributeError, RecursionError):
         found = [card for family, path in files.items() for card in _cards_of(family, path, workspace)]
         for old in kept.parent.glob("cards-*.json"):
             old.unlink(missing_ok=True)
         write_whole(kept, json.dumps(found, ensure_ascii=False))
     return found
+
+
+def _is_card(card: Card) -> bool:
+    """Whether something read has the types of a card, and no markup but that of symbols."""
+    texts = [card[name] for name in ("family", "version", "form", "error")]
+    texts += [table[language] for table in (card["titles"], card["form_titles"]) for language in LANGUAGES]
+    texts += [*card["topics"], *card["kinds"], *(symbol for part in card["ask"].values() for symbol in part)]
+    markup = all(_SYMBOL.fullmatch(symbol) for part in card["ask"].values() for symbol in part)
+    numbers = isinstance(card["forms"], int) and isinstance(card["level"], int)
+    known = {*card["topics"], *card["kinds"]} <= {*TOPICS, *KINDS}
+    return (
+        all(isinstance(text, str) for text in texts) and numbers and known and markup and isinstance(card["own"], bool)
+    )
 
 
 @cache
@@ -89,7 +108,7 @@ def _cards_of(name: str, path: Path, workspace: Workspace) -> list[Card]:
 
     common = {"family": name, "version": family_version(path), "own": catalog_dir() not in path.parents}
     try:
-        family = load_family(name, own_folders(workspace))
+        family = load_family(name, own_folders(workspace, name))
     except InputError as error:
         text = dict.fromkeys(LANGUAGES, name)
         nothing = {"forms": 1, "titles": text, "form_titles": text, "topics": [], "kinds": [], "level": 0, "ask": {}}

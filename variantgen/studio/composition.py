@@ -56,7 +56,7 @@ def table_of(document: Document, number: int) -> Mapping[str, Any]:
 
 def narrowed(table: Mapping[str, Any], name: str, workspace: Workspace, whole: bool = False) -> Family:
     """A family of a problem as the exam draws it; ``whole``: with all its values. Raises InputError."""
-    family = load_family(name, own_folders(workspace))
+    family = load_family(name, own_folders(workspace, name))
     forms = tuple(form for form in forms_of(table) if form in family.forms)
     fixed, ranges = (_plain(table.get(key)) for key in ("set", "range"))
     nice, units = table.get("nice") is True, table.get("units")
@@ -96,7 +96,7 @@ def listed(document: Document, workspace: Workspace, language: str) -> list[dict
         }
         row |= {"figure": "", "answers": 0, "several": len(names) > 1, "forms": len(forms_of(table))}
         try:
-            families = [load_family(name, own_folders(workspace)) for name in names]
+            families = [load_family(name, own_folders(workspace, name)) for name in names]
             row["title"] = " / ".join(family.title(language) for family in families)
             form = next(f for n, f in families[0].forms.items() if not forms_of(table) or n in forms_of(table))
             asked = _asked(form, asked_names(table, form.name))
@@ -126,7 +126,7 @@ def problem(
     table = table_of(document, number)
     names = names_of(table)
     name = name if name in names else names[0]
-    family = load_family(name, own_folders(workspace))
+    family = load_family(name, own_folders(workspace, name))
     taken = [n for n in family.forms if not forms_of(table) or n in forms_of(table)] or list(family.forms)
     form_name = form_name if form_name in taken else taken[0]
     form = family.forms[form_name]
@@ -136,7 +136,7 @@ def problem(
         "name": name,
         "form": form_name,
         "title": family.title(language),
-        "families": [{"name": n, "title": load_family(n, own_folders(workspace)).title(language)} for n in names],
+        "families": [{"name": n, "title": load_family(n, own_folders(workspace, n)).title(language)} for n in names],
         "forms": [{"name": n, "title": titles.get(n, n.replace("_", " ")), "on": n in taken} for n in family.forms],
         "ask": _askable(form, asked_names(table, form_name), language),
         "by_form": isinstance(table.get("ask"), dict),
@@ -144,6 +144,7 @@ def problem(
         "nice": table.get("nice") is True,
         "can_be_nice": bool(family.nice_forms),
         "tolerance": _tolerance(table.get("tolerance")),
+        "tolerance_key": "tolerance.floor" if isinstance(table.get("tolerance"), dict) else "tolerance",
     }
 
 

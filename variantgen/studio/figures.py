@@ -43,7 +43,7 @@ def card_figure(workspace: Workspace, family: str, form: str, seed: int, languag
 def _drawn(workspace: Workspace, family: str, form: str, seed: int, language: str) -> str:
     from variantgen.single import one_variant
 
-    return figure_of(one_variant(family, seed=str(seed), form=form, folders=own_folders(workspace)), language)
+    return figure_of(one_variant(family, seed=str(seed), form=form, folders=own_folders(workspace, family)), language)
 
 
 def figure_of(variant: Variant, language: str, ask: Sequence[str] = ()) -> str:
@@ -76,7 +76,7 @@ def specimen(workspace: Workspace, family: str, form: str, seed: int, language: 
 
     figure = card_figure(workspace, family, form, seed, language)
     name = "" if form == ONLY else form
-    variant = one_variant(family, seed=str(seed), form=name, folders=own_folders(workspace))
+    variant = one_variant(family, seed=str(seed), form=name, folders=own_folders(workspace, family))
     asked, spoken = asked_quantities(variant), load_language(language)
     said = statement(variant, asked, spoken)
 

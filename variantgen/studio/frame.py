@@ -15,8 +15,9 @@ from starlette.responses import HTMLResponse, Response
 from variantgen.studio.documents.document import Document
 from variantgen.studio.documents.journal import FileChange
 from variantgen.studio.studio import Studio
-from variantgen.studio.summary import summary
+from variantgen.studio.summary import USUAL_CLASS, summary
 from variantgen.studio.words import ASSETS, LANGUAGES, PageWords, page_words
+from variantgen.studio.workspace import BUILDS, ROSTER
 
 STEPS = ("choose", "compose", "roster", "build", "mark")
 TOOLS = ("author", "play")
@@ -109,6 +110,15 @@ def error_page(request: Request, status: int, message: str) -> Response:
 def command(*words: str) -> str:
     """A command line, as a shell reads it."""
     return shlex.join(words)
+
+
+def build_command(studio: Studio, document: Document) -> str:
+    """The command that builds an exam as the studio does, for a terminal in the folder where the studio was started."""
+    folder = studio.workspace.folder
+    roster = (folder / ROSTER).exists()
+    whom = ("--roster", str(folder / ROSTER)) if roster else ("--variants", str(USUAL_CLASS))
+    out = folder / BUILDS / studio.builds.next_name(document.key)
+    return command("variantgen", "build", str(folder / document.path.name), *whom, "--out", str(out))
 
 
 def step_words(words: PageWords, step: FileChange | None) -> str:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from variantgen.errors import InputError, Problem
 from variantgen.studio.summary import USUAL_CLASS
-from variantgen.studio.workspace import ROSTER, Workspace, is_own
+from variantgen.studio.workspace import Workspace
 
 if TYPE_CHECKING:
     from variantgen.builder.preview import DrawnClass
@@ -29,8 +29,8 @@ def class_of(workspace: Workspace) -> Sequence[Student]:
     """The students of the roster, or some numbered ones where there is none. Raises InputError for a wrong roster."""
     from variantgen.exam.roster import numbered, read_class
 
-    path = workspace.folder / ROSTER
-    return read_class(path).students if is_own(path, workspace.folder) else numbered(USUAL_CLASS)
+    path = workspace.roster()
+    return read_class(path).students if path else numbered(USUAL_CLASS)
 
 
 class Previews:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import json
 import os
+import re
 import secrets
 import socket
 import sys
@@ -23,6 +24,8 @@ ADDRESS = "127.0.0.1"
 PORT = 8765
 _TRIED = 20  # ports, where none is asked for
 _LOCK = "running.json"
+_OWN_ADDRESS = re.compile(rf"http://{re.escape(ADDRESS)}:([0-9]{{1,5}})/\?t=[A-Za-z0-9_-]+")
+_LAST_PORT = 65_535
 
 
 def serve(folder: Path, port: int | None, browser: bool, say: Callable[[str], None]) -> None:
@@ -104,11 +107,19 @@ def _write_lock(path: Path, address: str) -> None:
 def _running(workspace: Workspace) -> str:
     """The address of the studio that serves the folder already; '' if there is none."""
     try:
-        found = json.loads(workspace.state(_LOCK).read_text("utf-8"))["address"]
-        host, port = found.removeprefix("http://").partition("/")[0].split(":")
-    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        path = workspace.state(_LOCK)
+        if hasattr(os, "getuid") and path.stat().st_uid != os.getuid():
+            return ""
+        found = json.loads(path.read_text("utf-8"))
+        address, process = found["address"], found["process"]
+        match = _OWN_ADDRESS.fullmatch(address)
+        if match is None or not isinstance(process, int) or process < 1 or int(match[1]) > _LAST_PORT:
+            return ""
+        if os.name == "posix":
+            os.kill(process, 0)  # raises where there is no such process of this user
+    except (OSError, ValueError, KeyError, TypeError, OverflowError, RecursionError):
         return ""
-    return found if host == ADDRESS and _answers(int(port), found) else ""
+    return address if _answers(int(match[1]), address) else ""
 
 
 def _answers(port: int, address: str) -> bool:

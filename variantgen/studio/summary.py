@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Mapping
 from datetime import date
 from typing import Any
 
+from variantgen.errors import InputError
 from variantgen.studio.documents.document import Document
 from variantgen.studio.studio import Studio
 from variantgen.studio.words import PageWords
-from variantgen.studio.workspace import BUILDS, MANIFEST, ROSTER, is_own
 
 USUAL_CLASS = 30  # numbered variants where there is no roster
 
@@ -22,15 +21,22 @@ def problems_of(document: Document) -> list[Mapping[str, Any]]:
 
 
 def students(studio: Studio) -> int | None:
-    """How many students the roster has; None without one."""
-    path = studio.workspace.folder / ROSTER
-    if not is_own(path, studio.workspace.folder):
+    """How many students the roster has; None without one. Raises InputError for one that a build would refuse."""
+    path = studio.workspace.roster()
+    if path is None:
         return None
+    from variantgen.exam.roster import read_class
+
+    return len(read_class(path).students)
+
+
+def _class_words(words: PageWords, studio: Studio) -> str:
+    """The number of students, or that there is no roster, or a wrong one."""
     try:
-        with path.open(encoding="utf-8-sig", newline="") as file:
-            return max(0, sum(1 for row in csv.reader(file) if any(row)) - 1)
-    except (OSError, UnicodeDecodeError, csv.Error):
-        return None
+        known = students(studio)
+    except InputError:
+        return words.of("frame")["wrong_roster"]
+    return words.of("frame")["no_roster"] if known is None else words.counted(known, "student")
 
 
 def built_words(words: PageWords, day: date) -> str:
@@ -44,20 +50,18 @@ def _built(words: PageWords, studio: Studio, document: Document) -> str:
     frame = words.of("frame")
     if studio.builds.state(document.key).get("phase") in ("begun", "drawing", "typesetting"):
         return frame["in_progress"]
-    home = studio.workspace.folder / BUILDS
-    days = [] if home.is_symlink() else [path.stat().st_mtime for path in home.glob(f"{document.key}-*/{MANIFEST}")]
-    return built_words(words, date.fromtimestamp(max(days))) if days else frame["not_yet"]
+    days = [one.day for one in studio.builds.finished(document.key).values()]
+    return built_words(words, max(days)) if days else frame["not_yet"]
 
 
 def summary(words: PageWords, studio: Studio, document: Document) -> dict[str, str]:
     """The words under each step."""
     problems = problems_of(document)
     points = sum(item["points"] for item in problems if isinstance(item.get("points"), int))
-    known = students(studio)
     return {
         "choose": words.counted(len(problems), "problem"),
         "compose": words.counted(points, "point"),
-        "roster": words.of("frame")["no_roster"] if known is None else words.counted(known, "student"),
+        "roster": _class_words(words, studio),
         "build": _built(words, studio, document),
         "mark": "",
     }

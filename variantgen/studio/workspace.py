@@ -16,9 +16,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from variantgen.errors import InputError, Problem
-from variantgen.families.files import FAMILY
 from variantgen.limits import TOML_BYTES
-from variantgen.tables import read_limited
+from variantgen.tables import read_limited, read_text
 
 STATE = ".studio"
 ROSTER = "roster.csv"
@@ -53,14 +52,35 @@ class Workspace:
                 found[_key(path.stem, found)] = path
         return found
 
-    def has_families(self) -> bool:
-        """Whether families of the instructor's own lie here."""
-        return any(is_own(path, self.folder) for path in self.folder.glob(f"*/{FAMILY}"))
+    def roster(self) -> Path | None:
+        """The class list, if there is one. Raises InputError for a link."""
+        path = self.folder / ROSTER
+        if path.is_symlink():
+            raise InputError(Problem("is a link", file=str(path), remedy="put the file itself here"))
+        return path if path.is_file() else None
+
+    def unreadable(self) -> dict[str, str]:
+        """The TOML files that cannot be read, by their names, with the reason."""
+        found = {}
+        for path in sorted(self.folder.glob("*.toml")):
+            try:
+                if is_own(path, self.folder):
+                    read_text(path)
+            except InputError as error:
+                found[path.name] = error.problems[0].message
+        return found
 
     def state(self, *parts: str) -> Path:
-        """A place for what the studio itself keeps; its folder is made. Parts are keys and names of the program."""
-        path = self.folder.joinpath(STATE, *parts)
-        path.parent.mkdir(parents=True, exist_ok=True)
+        """A place for what the studio itself keeps; its folder is made. Parts are keys and names of the program.
+
+        Raises InputError where a part of it is a link.
+        """
+        path = self.folder / STATE
+        for part in parts:
+            path.mkdir(exist_ok=True)
+            path = path / part
+            if path.is_symlink() or path.parent.is_symlink():
+                raise InputError(Problem("is a link", file=str(path), remedy="remove it"))
         return path
 
     def new_exam_path(self, title: str) -> Path:

@@ -11,10 +11,10 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from variantgen.algebra.derivative import derivative
-from variantgen.algebra.expression import Constant, Expression, Ratio, Value, hypotenuse
+from variantgen.algebra.expression import Constant, Expression, Ratio, Value
 from variantgen.algebra.linear import linear
 from variantgen.algebra.name import Name
-from variantgen.algebra.normal_form import Maybe, added, forward, product
+from variantgen.algebra.normal_form import Maybe, added, forward, hypotenuse, product
 from variantgen.algebra.substitution import pruned, substituted
 from variantgen.algebra.values import parts
 from variantgen.methods.coordinates import results

@@ -11,8 +11,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from variantgen.algebra.expression import Constant, Expression, Ratio, Total, Value, hypotenuse
+from variantgen.algebra.expression import Constant, Expression, Ratio, Total, Value
 from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import hypotenuse
 from variantgen.methods.geometry.geometry import Geometry, normal_angle
 from variantgen.methods.solution.book import Book, Known
 from variantgen.methods.solution.named_angles import named

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from variantgen.algebra.expression import Constant, Expression, Total, Value, hypotenuse
+from variantgen.algebra.expression import Constant, Expression, Total, Value
 from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import hypotenuse
 from variantgen.families.expressions import FamilyExpression
 from variantgen.mechanism.linkage import driven_body
 from variantgen.methods.geometry.geometry import Geometry

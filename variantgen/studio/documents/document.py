@@ -9,9 +9,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from variantgen.errors import InputError, Problem, VariantgenError
+from variantgen.limits import TOML_BYTES
 from variantgen.studio.documents.edits import Operation, apply, value_at
+from variantgen.studio.documents.identity import same_place, through_list
 from variantgen.studio.documents.journal import Journal, version_of
-from variantgen.studio.documents.toml_lines import Path as Path_
 from variantgen.studio.documents.toml_lines import parse_path, places, written_path
 from variantgen.studio.workspace import is_own, write_whole
 from variantgen.tables import parse_toml, read_text
@@ -20,6 +21,9 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from variantgen.exam.exam_file import Exam
+
+
+_BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 
 
 class ConflictError(VariantgenError):
@@ -68,7 +72,7 @@ class State:
 class Document:
     """An exam file that is changed from several windows and by editors.
 
-    Its methods may be called from any thread.
+    Its methods may be called from any thread. Ends of lines and a mark of byte order stay as the file has them.
     """
 
     def __init__(self, key: str, path: Path, folder: Path, journal: Path) -> None:
@@ -85,7 +89,12 @@ class Document:
             raise InputError(Problem("is no longer there", file=self.path.name))
         status = self.path.stat()
         self._seen = (status.st_mtime_ns, status.st_size)
-        return _state(read_text(self.path), self.path)
+        text = read_text(self.path)
+        with self.path.open("rb") as file:
+            begin = _BYTE_ORDER_MARK if file.read(3) == _BYTE_ORDER_MARK else b""
+        windows = "\r\n" in text and text.count("\r\n") == text.count("\n")
+        self._style = begin, "\r\n" if windows else "\n"
+        return _state(text.replace("\r\n", "\n") if windows else text, self.path)
 
     def state(self) -> State:
         """The present state; a change by an editor is a step of the journal."""
@@ -179,6 +188,9 @@ class Document:
         """Write a new text, unless it has mistakes that the file has not."""
         if text == self._state.text:
             return self._state
+        if len(text.encode()) > TOML_BYTES:
+            message = f"would be larger than {TOML_BYTES // 1000} kB"
+            raise InputError(Problem(message, file=self.path.name, remedy="shorten its texts"))
         known = {(m.key, m.message) for m in self.mistakes()}
         new = [m for m in self.check(text) if (m.key, m.message) not in known and not _is_empty(m)]
         if new:
@@ -198,7 +210,8 @@ class Document:
                 self._seen = (0, 0)
                 raise _OvertakenError
 
-        write_whole(self.path, text, compare)
+        begin, end = self._style
+        write_whole(self.path, begin + text.replace("\n", end).encode(), compare)
         status = self.path.stat()
         self._seen = (status.st_mtime_ns, status.st_size)
         self._state = _state(text, self.path)
@@ -212,11 +225,11 @@ class Document:
         for operation in operations:
             path = operation.touched
             now = value_at(self._state.data, path)
-            if then is not None and not _same_place(then, self._state.data, path):
+            if then is not None and not same_place(then, self._state.data, path):
                 raise ConflictError(written_path(operation.path), operation.value, now, moved=True)
             if then is None or value_at(then, path) != now:
                 raise ConflictError(
-                    written_path(operation.path), operation.value, now, then is None and _through_list(path)
+                    written_path(operation.path), operation.value, now, then is None and through_list(path)
                 )
 
     def undo(self, by: int = -1, version: str | None = None) -> dict[str, Any] | None:
@@ -248,31 +261,6 @@ def _state(text: str, path: Path) -> State:
         return State(text, version_of(text), parse_toml(text, path))
     except InputError as error:
         return State(text, version_of(text), {}, error.problems[0].message)
-
-
-def _same_place(then: Any, now: Any, path: Path_) -> bool:
-    """Whether a path through a list means the same table in both contents: it is equal, or none has changed place."""
-    place = next((i for i, part in enumerate(path) if isinstance(part, int)), None)
-    if place is None:
-        return True
-    old, new = value_at(then, path[:place]), value_at(now, path[:place])
-    table = path[: place + 1]
-    if value_at(then, table) == value_at(now, table):
-        return True
-    if not (isinstance(old, list) and isinstance(new, list) and len(old) == len(new)):
-        return False
-    changed = [(before, after) for before, after in zip(old, new, strict=True) if before != after]
-    afterwards = [after for _, after in changed]
-    return all(_kind(before) == _kind(after) and before not in afterwards for before, after in changed)
-
-
-def _through_list(path: Path_) -> bool:
-    return any(isinstance(part, int) for part in path)
-
-
-def _kind(table: Any) -> Any:
-    """What a problem draws from, by which it is known."""
-    return (table.get("family"), table.get("families")) if isinstance(table, dict) else None
 
 
 def _line_of(message: str) -> int:

@@ -19,7 +19,7 @@ from itertools import pairwise
 from typing import Any
 
 from variantgen.errors import InputError, Problem
-from variantgen.studio.documents.toml_lines import Entry, Path, Places, parse_path, places, written_path
+from variantgen.studio.documents.toml_lines import Entry, Path, Places, detached, parse_path, places, written_path
 
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
 _OPERATIONS = ("set", "unset", "insert", "remove", "move")
@@ -275,6 +275,8 @@ def _moved(found: Places, operation: Operation) -> str:
     taken = blocks.pop(int(number))
     if operation.op == "move":
         blocks.insert(operation.at, taken)
+    else:
+        blocks.insert(int(number), detached(taken))
     return _joined(found.text[:start], blocks, found.text[end:])
 
 

@@ -47,7 +47,12 @@ class Journal:
             data = json.loads(self._file.read_text("utf-8"))
             steps = [FileChange(**step) for step in data["steps"]]
             done = int(data["done"])
-        except (OSError, ValueError, KeyError, TypeError):
+            texts = [
+                text for s in steps for text in (s.before, s.after, s.words, s.window, *s.about, *s.about.values())
+            ]
+            if not all(isinstance(text, str) for text in texts) or not all(isinstance(s.time, float) for s in steps):
+                raise ValueError(self._file)
+        except (OSError, ValueError, KeyError, TypeError, AttributeError, OverflowError, RecursionError):
             return [], 0
         return (steps, done) if 0 <= done <= len(steps) else ([], 0)
 

@@ -188,3 +188,11 @@ def _with_comments(text: str, start: int) -> int:
             return start
         start = before
     return start
+
+
+def detached(block: str) -> str:
+    """The comments at the end of a table that an empty line parts from it: they are not about it."""
+    lines = block.split("\n")
+    last = max(i for i, line in enumerate(lines) if line.strip() and not line.lstrip().startswith("#"))
+    after = lines[last + 1 :]
+    return "\n".join(after[after.index("") :]) if "" in after else ""

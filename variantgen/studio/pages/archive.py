@@ -40,7 +40,8 @@ def routes(studio: Studio) -> list[Route]:
 
     async def archive(request: Request) -> Response:
         words = page_words(language_of(request))
-        found = [_shown(one, words) for one in (await run_in_threadpool(builds.finished)).values()]
+        key = studio.document(request.path_params["exam"]).key
+        found = [_shown(one, words) for one in (await run_in_threadpool(builds.finished, key)).values()]
         return HTMLResponse(part(request, "archive", "build", builds=found))
 
     async def download(request: Request) -> Response:
@@ -71,11 +72,12 @@ def routes(studio: Studio) -> list[Route]:
         from variantgen.exam.manifest import read_manifest
         from variantgen.finished.find import find
 
-        who = request.query_params.get("who", "").strip()[:200]
-        record = await run_in_threadpool(read_manifest, finished(request).folder)
+        who, build = request.query_params.get("who", "").strip()[:200], finished(request)
+        record = await run_in_threadpool(read_manifest, build.folder)
         sheet = record.sheets[find(record, who)]
         student = {"name": sheet.student.name or sheet.student.id, "group": sheet.student.group, "code": sheet.code}
-        return JSONResponse({**student, "problems": len(sheet.problems)})
+        day = built_words(page_words(language_of(request)), build.day)
+        return JSONResponse({**student, "title": build.title, "day": day})
 
     async def lost(request: Request) -> Response:
         who = request.query_params.get("who", "")[:200]

@@ -12,15 +12,14 @@ from starlette.routing import Route
 from variantgen.errors import InputError, Problem
 from variantgen.studio.documents.document import Document
 from variantgen.studio.documents.edits import apply, read_operations
-from variantgen.studio.frame import command, render
+from variantgen.studio.frame import build_command, render
 from variantgen.studio.requests import number_of, read_json, text_of
 from variantgen.studio.studio import Studio
 from variantgen.studio.summary import USUAL_CLASS, problems_of, students
-from variantgen.studio.workspace import BUILDS, ROSTER, write_whole
+from variantgen.studio.workspace import write_whole
 
 FORMATS = ("pdf", "xlsx", "html", "moodle", "canvas", "qti21", "qti30", "latex", "prairielearn")
 _MOST = 1_000_000
-_SECONDS = 600  # that a check may take
 
 
 def routes(studio: Studio) -> list[Route]:
@@ -32,7 +31,10 @@ def routes(studio: Studio) -> list[Route]:
 
     async def build(request: Request) -> Response:
         document = opened(request)
-        known = students(studio)
+        try:
+            known, fault = students(studio), ""
+        except InputError as error:
+            known, fault = 0, str(error)
         formats = document.state().data.get("formats", ["pdf"])
         context: dict[str, Any] = {
             "formats": FORMATS,
@@ -41,11 +43,9 @@ def routes(studio: Studio) -> list[Route]:
             "usual": USUAL_CLASS,
             "running": builds.state(document.key),
             "ready": bool(problems_of(document)),
+            "fault": fault,
         }
-        out = f"{BUILDS}/{builds.next_name(document.key)}"
-        whom = ("--roster", ROSTER) if known is not None else ("--variants", str(USUAL_CLASS))
-        line = command("variantgen", "build", document.path.name, *whom, "--out", out)
-        return render(request, "build", studio, document, line, **context)
+        return render(request, "build", studio, document, build_command(studio, document), **context)
 
     async def start(request: Request) -> Response:
         data, document = await read_json(request), opened(request)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from decimal import Decimal
 from typing import Any
 
@@ -10,15 +11,17 @@ from starlette.requests import Request
 from starlette.responses import HTMLResponse, JSONResponse, Response
 from starlette.routing import Route
 
+from variantgen.errors import InputError
+from variantgen.limits import TOML_BYTES
 from variantgen.studio.catalogue import cards
 from variantgen.studio.documents.document import Document
 from variantgen.studio.documents.edits import plain
-from variantgen.studio.frame import command, language_of, part, render
+from variantgen.studio.frame import build_command, language_of, part, render
 from variantgen.studio.requests import number_of, read_json, text_of
 from variantgen.studio.studio import Studio
-from variantgen.studio.summary import students, summary
+from variantgen.studio.summary import summary
 from variantgen.studio.words import page_words
-from variantgen.studio.workspace import BUILDS, ROSTER, write_whole
+from variantgen.studio.workspace import write_whole
 
 DEPTHS = ("full", "short", "answers", "none")
 _MOST = 100  # problems of an exam
@@ -32,15 +35,7 @@ def routes(studio: Studio) -> list[Route]:
 
     async def compose(request: Request) -> Response:
         document = opened(request)
-        out = ("--roster", ROSTER) if students(studio) is not None else ("--variants", "30")
-        line = command(
-            "variantgen",
-            "build",
-            document.path.name,
-            *out,
-            "--out",
-            f"{BUILDS}/{studio.builds.next_name(document.key)}",
-        )
+        line = build_command(studio, document)
         return render(request, "compose", studio, document, line, settings=_settings(document), depths=DEPTHS)
 
     async def outline(request: Request) -> Response:
@@ -66,14 +61,23 @@ def routes(studio: Studio) -> list[Route]:
 
     async def check(request: Request) -> Response:
         data, document = await read_json(request), opened(request)
-        text = text_of(data, "text", 200_000)
+        text, version = text_of(data, "text", TOML_BYTES), text_of(data, "version")
         found = await run_in_threadpool(document.check, text)
-        draft = studio.workspace.state("drafts", f"{document.key}.toml")
-        if found:
-            write_whole(draft, text)
+        kept = studio.workspace.state("drafts", f"{document.key}.json")
+        if text != document.state().text:
+            write_whole(kept, json.dumps({"text": text, "version": version}))
         else:
-            draft.unlink(missing_ok=True)
+            kept.unlink(missing_ok=True)
         return JSONResponse({"mistakes": [vars(mistake) for mistake in found]})
+
+    async def draft(request: Request) -> Response:
+        document = opened(request)
+        try:
+            found = json.loads(studio.workspace.state("drafts", f"{document.key}.json").read_text("utf-8"))
+            text, version = text_of(found, "text", TOML_BYTES), text_of(found, "version")
+        except (OSError, ValueError, AttributeError, RecursionError, InputError):
+            text = version = ""
+        return JSONResponse({"text": "" if text == document.state().text else text, "version": version})
 
     async def table(request: Request) -> Response:
         from variantgen.studio.composition import table_of
@@ -93,6 +97,7 @@ def routes(studio: Studio) -> list[Route]:
         Route("/{exam}/outline", outline),
         Route("/{exam}/problem/{number}", problem),
         Route("/{exam}/check", check, methods=["POST"]),
+        Route("/{exam}/draft", draft),
     ]
 
 

@@ -9,6 +9,7 @@ from starlette.responses import JSONResponse, RedirectResponse, Response
 from starlette.routing import Route
 
 from variantgen.errors import InputError, Problem
+from variantgen.limits import TOML_BYTES
 from variantgen.studio.documents.document import Document
 from variantgen.studio.documents.edits import read_operations, written
 from variantgen.studio.frame import command, language_of, render, step_words
@@ -24,13 +25,15 @@ def routes(studio: Studio) -> list[Route]:
 
     async def exams(request: Request) -> Response:
         found = studio.workspace.exams()
-        if len(found) == 1 and "all" not in request.query_params:
+        unreadable = studio.workspace.unreadable()
+        if len(found) == 1 and not unreadable and "all" not in request.query_params:
             key = next(iter(found))
             page = "compose" if problems_of(studio.document(key)) else "choose"
             return RedirectResponse(f"/{key}/{page}", 303)
         words = page_words(language_of(request))
         listed = [_row(studio.document(key), words.counted) for key in found]
-        return render(request, "exams", studio, command=command("variantgen", "new", "exam", "exam"), listed=listed)
+        line = command("variantgen", "new", "exam", "exam")
+        return render(request, "exams", studio, command=line, listed=listed, unreadable=unreadable)
 
     async def create(request: Request) -> Response:
         data = await read_json(request)
@@ -56,7 +59,8 @@ def routes(studio: Studio) -> list[Route]:
     async def text(request: Request) -> Response:
         data, document = await read_json(request), studio.document(request.path_params["exam"])
         window = text_of(data, "window", WINDOW)
-        document.replace(text_of(data, "text", 200_000), text_of(data, "version"), window)
+        document.replace(text_of(data, "text", TOML_BYTES), text_of(data, "version"), window)
+        studio.workspace.state("drafts", f"{document.key}.json").unlink(missing_ok=True)
         studio.tell_changed(document, window)
         return JSONResponse(answer(request, studio, document))
 

@@ -68,7 +68,7 @@ def routes(studio: Studio) -> list[Route]:
         def named() -> list[str]:
             return [student.name or f"{student.id}" for student in class_of(studio.workspace)][:5000]
 
-        return JSONResponse({"names": await run_in_threadpool(named), "roster": students(studio) is not None})
+        return JSONResponse({"names": await run_in_threadpool(named), "roster": studio.workspace.roster() is not None})
 
     return [
         Route("/{exam}/students", everybody),

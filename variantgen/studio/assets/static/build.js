@@ -70,8 +70,8 @@ $("search").addEventListener("submit", async event => {
   const who = event.currentTarget.who.value.trim(), build = document.querySelector("[data-build]")?.dataset.build;
   if (!who || !build) { $("hit").replaceChildren(el("p", { className: "small" }, words.none)); return; }
   try {
-    const found = await get(`/builds/${build}/search?who=${encodeURIComponent(who)}`);
-    $("hit").replaceChildren(el("div", { className: "hit" }, el("h3", {}, found.name), el("p", { className: "small" }, [found.group, fill(words.code, { code: found.code })].filter(Boolean).join(" · ")),
+    const found = await get(`/builds/${build}/search?${asked}&who=${encodeURIComponent(who)}`);
+    $("hit").replaceChildren(el("div", { className: "hit" }, el("h3", {}, found.name), el("p", { className: "small" }, [found.title, found.day, found.group, fill(words.code, { code: found.code })].filter(Boolean).join(" · ")),
       el("a", { className: "button", href: `/builds/${build}/sheet.pdf?who=${encodeURIComponent(found.code)}`, download: "" }, icon("print"), words.open_sheet)));
   } catch (error) { $("hit").replaceChildren(el("p", { className: "error" }, error.message)); }
 });

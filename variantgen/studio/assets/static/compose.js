@@ -338,7 +338,7 @@ async function save(typed, version) {
 const check = late(async () => {
   const typed = text.value;
   try {
-    const found = (await post(`/${exam}/check`, { text: typed })).mistakes;
+    const found = (await post(`/${exam}/check`, { text: typed, version: begun })).mistakes;
     if (typed !== text.value) return;
     mistakes(found);
     $("texted").textContent = found.length ? words.draft : "";
@@ -346,6 +346,15 @@ const check = late(async () => {
     await save(typed, begun);
   } catch (error) { error.data?.problems ? mistakes(error.data.problems) : complain(error); }
 }, 500);
+// A draft that was left is offered again, on the version that it was begun on.
+async function offer() {
+  const draft = await get(`/${exam}/draft`);
+  if (!draft.text || drafting) return;
+  const go = () => { drafting = true; begun = draft.version; text.value = draft.text; mistakes([]); check(); };
+  const drop = async () => { try { await post(`/${exam}/check`, { text: source.text, version: source.version }); mistakes(source.mistakes); } catch (error) { complain(error); } };
+  $("oops").hidden = false;
+  $("oops").append(el("li", {}, words.draft_left, " ", el("button", { type: "button", onclick: go }, words.draft_go_on), " ", el("button", { type: "button", onclick: drop }, words.draft_drop)));
+}
 $("larger").addEventListener("click", event => { const on = document.querySelector(".toml").classList.toggle("large"); event.currentTarget.setAttribute("aria-pressed", String(on)); });
 
 onOutside(async () => { await list(); await show(current); page_(); });
@@ -355,4 +364,4 @@ try {
   const data = await get(`/${exam}/students`);
   student.append(...data.names.map((name, i) => el("option", {}, data.roster ? name : fill(words.variant, { number: i + 1 }))));
 } catch (error) { complain(error); }
-await list(); await show(current); page_();
+await list(); await show(current); page_(); await offer().catch(complain);
