@@ -8,6 +8,7 @@ import pytest
 
 from variantgen.check import explained
 from variantgen.check.report import Report
+from variantgen.exam import solution_figures
 from variantgen.figure.drawing import Drawing, Label, Layer
 from variantgen.figure.faults import vector_faults
 from variantgen.figure.sketch import Sketch
@@ -50,6 +51,6 @@ def test_the_check_names_the_figure_and_its_fault(monkeypatch: pytest.MonkeyPatc
     report = Report("spool")
     explained.check_explained(variant, motion, asked, report)
     assert not report.failures
-    monkeypatch.setattr(explained, "vector_faults", lambda drawing: ["an arrow is missing"])
+    monkeypatch.setattr(solution_figures, "vector_faults", lambda drawing: ["an arrow is missing"])
     explained.check_explained(variant, motion, asked, report)
     assert any("velocity_centre:spool" in failure and "an arrow is missing" in failure for failure in report.failures)

@@ -28,8 +28,8 @@ CRANKED = [path for path in SCENES if 'A = { polar = { origin = "O"' in path.rea
 METHODS = {"by itself": (), "coordinates": ("coordinates",)}
 # Not all that can be asked of these is found link by link; then the coordinate method is the natural one.
 NOT_LINK_BY_LINK = {
-    "boat_rope", "cam_roller_rolls", "coupler_driven", "crane_rope", "double_coriolis", "excavator", "frame_on_cart",
-    "incline_blocks_rope", "movable_pulley_rope", "oldham", "oscillating_cylinder", "pin_in_two_yokes",
+    "boat_rope", "cam_roller_rolls", "coupler_driven", "crane_rope", "excavator", "frame_on_cart",
+    "incline_blocks_rope", "movable_pulley_rope", "oldham", "pin_in_two_yokes",
     "pin_two_slots", "rack_on_rocker", "two_stage_hoist",
 }  # fmt: skip
 # Cranks at angles (degrees) at which the lengths of what hangs on them do not reach.
