@@ -25,11 +25,11 @@ from variantgen.exam import answer_page as page
 from variantgen.exam.manifest import read_manifest
 from variantgen.marking.scan.columns import Column, columns
 from variantgen.marking.scan.confirming import Confirmed
+from variantgen.marking.scan.copies import ScannedAnswer, decided
 from variantgen.marking.scan.darkness import Darkness
 from variantgen.marking.scan.numbers import number, reading
 from variantgen.marking.scan.pages import read_page
 from variantgen.marking.scan.pictures import ScanImage
-from variantgen.marking.scan.settling import ScannedAnswer, settled
 
 Row = dict[str, str]
 DPI = 150
@@ -304,7 +304,7 @@ DOUBTFUL = ScannedAnswer("a page", Confirmed("17", ("several",)), others=("12",)
 )
 def test_pages_scanned_more_than_once(readings: list[ScannedAnswer], text: str | None) -> None:
     for order in permutations(readings):
-        read = settled(order).read
+        read = decided(order).read
         assert (read.text if not read.why else None) == text
         assert text is not None or "pages differ" in read.why
 

@@ -13,10 +13,10 @@ from variantgen.exam import answer_page
 from variantgen.marking.answer_tables import HandedIn, NotMatched
 from variantgen.marking.key import Key, is_right
 from variantgen.marking.scan.confirming import Confirmed, confirmed
+from variantgen.marking.scan.copies import DIFFER, ScannedAnswer, decided
 from variantgen.marking.scan.pages import PageCode, ReadPage, read_page
 from variantgen.marking.scan.pictures import Grey, ScanImage, check_packages, pictures
 from variantgen.marking.scan.registration import Placed
-from variantgen.marking.scan.settling import DIFFER, ScannedAnswer, settled
 from variantgen.marking.typed_number import read_number
 from variantgen.outputs.qr import VERSION
 
@@ -179,7 +179,7 @@ class _Class:
     def end(self) -> None:
         """Decide about pages that were scanned more than once, and say which are missing."""
         for asked, readings in self._readings.items():
-            self.scans.answers[asked] = settled(readings)
+            self.scans.answers[asked] = decided(readings)
         for (place, number), (first, *again) in self._pages.items():
             own = [self.scans.answers[asked].read for asked in self._questions(place)[number - 1]]
             differing = sum(DIFFER in read.why for read in own)
@@ -205,8 +205,8 @@ class _Class:
         where, why = self._not_read.get((place, number), ""), _NOT_READ
         if not where:
             where, why = "scans", _MISSING
-            told = f"page {number} of the pages for answers of this sheet is missing"
-            self.scans.not_matched.append(NotMatched(where, self.key.record.sheets[place].code, told))
+            why = f"page {number} of the pages for answers of this sheet is missing"
+            self.scans.not_matched.append(NotMatched(where, self.key.record.sheets[place].code, why))
             self.scans.lost.append(LostPage(self._page(place, number), "the page is missing"))
         for asked in questions:
             self.scans.answers[asked] = ScannedAnswer(where, Confirmed("", (why,)))

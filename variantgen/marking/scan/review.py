@@ -20,7 +20,7 @@ from variantgen.finished.restore import Finished
 from variantgen.marking.answer_tables import HandedIn
 from variantgen.marking.key import Key
 from variantgen.marking.scan.collecting import LostPage, Question
-from variantgen.marking.scan.settling import ScannedAnswer
+from variantgen.marking.scan.copies import ScannedAnswer
 from variantgen.marking.typed_number import read_number
 from variantgen.outputs.files.records import safe_cell
 from variantgen.outputs.html.pages import write_page

@@ -254,10 +254,10 @@ def _by_positions(book: Book, quantity: Quantity) -> Value:
     if of is None:
         book.say("turn.by_positions", False, value=answer, number=NumberOf(_rounded(answer.exact, answer.measure)))
         return answer
-    told = "turn.magnitudes" if of.is_rotation else "turn.rows"
-    if not book.has_said(told, value=_name(of)):
+    sentence = "turn.magnitudes" if of.is_rotation else "turn.rows"
+    if not book.has_said(sentence, value=_name(of)):
         rows = _rows(crank_turn(task.motion, of.order), of, length)
-        book.say(told, False, value=_name(of), rows=rows)
+        book.say(sentence, False, value=_name(of), rows=rows)
     key = "mean" if quantity.kind.startswith(MEAN) else "angle" if quantity.kind.startswith(ANGLE_OF) else "extreme"
     book.say(f"turn.{key}", False, value=answer, number=NumberOf(_rounded(answer.exact, answer.measure)))
     book.values[_name(quantity)] = answer

@@ -92,9 +92,9 @@ class Document:
         text = read_text(self.path)
         with self.path.open("rb") as file:
             begin = _BYTE_ORDER_MARK if file.read(3) == _BYTE_ORDER_MARK else b""
-        windows = "\r\n" in text and text.count("\r\n") == text.count("\n")
-        self._style = begin, "\r\n" if windows else "\n"
-        return _state(text.replace("\r\n", "\n") if windows else text, self.path)
+        returns = "\r\n" in text and text.count("\r\n") == text.count("\n")
+        self._style = begin, "\r\n" if returns else "\n"
+        return _state(text.replace("\r\n", "\n") if returns else text, self.path)
 
     def state(self) -> State:
         """The present state; a change by an editor is a step of the journal."""

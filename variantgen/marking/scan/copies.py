@@ -27,7 +27,7 @@ class ScannedAnswer:
     others: tuple[str, ...] = ()
 
 
-def settled(readings: Sequence[ScannedAnswer]) -> ScannedAnswer:
+def decided(readings: Sequence[ScannedAnswer]) -> ScannedAnswer:
     """The one answer of one or more scans of it.
 
     A clear reading settles a doubtful one only if it is a number that the doubtful one allows: a blank one may have
