@@ -205,8 +205,8 @@ class _Class:
         where, why = self._not_read.get((place, number), ""), _NOT_READ
         if not where:
             where, why = "scans", _MISSING
-            why = f"page {number} of the pages for answers of this sheet is missing"
-            self.scans.not_matched.append(NotMatched(where, self.key.record.sheets[place].code, why))
+            message = f"page {number} of the pages for answers of this sheet is missing"
+            self.scans.not_matched.append(NotMatched(where, self.key.record.sheets[place].code, message))
             self.scans.lost.append(LostPage(self._page(place, number), "the page is missing"))
         for asked in questions:
             self.scans.answers[asked] = ScannedAnswer(where, Confirmed("", (why,)))
