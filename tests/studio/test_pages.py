@@ -61,7 +61,7 @@ def test_an_exam_begins_with_pictures(visit: Open) -> None:
     page.get_by_role("searchbox").fill("кулисный swinging")
     card = page.locator(".card:visible")
     expect(card).to_have_count(1, timeout=30_000)
-    assert "swinging" in card.inner_text()
+    expect(card).to_contain_text("swinging")
     card.get_by_role("button", name="Add").click()
     page.get_by_text("Problem 1 added", exact=True).wait_for()
     found = saved(window, "Homework-7")
