@@ -200,19 +200,24 @@ def _following(finished: Finished, marks: Sequence[MarkedAnswer]) -> list[Marked
     problems: dict[tuple[int, int], list[int]] = defaultdict(list)
     for i, item in enumerate(marks):
         problems[item.place, item.problem].append(i)
-    known: dict[tuple[str, tuple[Quantity, ...]], FollowThrough] = {}
-    for (place, number), own in problems.items():
-        answers = [marks[i].answer for i in own]
-        wrong = {k: v for k, i in enumerate(own) if (v := marks[i].value) is not None and _is_wrong(marks[i])}
-        copied = sum(_is_copied(marks[i]) for i in own)
-        if len(wrong) < 2 or copied >= _COPIED:
-            continue
-        group = marks[own[0]].form, tuple(answer.quantity for answer in answers)
-        rules = known.setdefault(group, FollowThrough(group[1]))
-        for k, earlier in rules.granted(finished.variant(place, number), answers, wrong).items():
-            names = ", ".join(answers[other].quantity.name for other in earlier)
-            cause = marks[own[k]].cause if _is_copied(marks[own[k]]) else Cause("from", names)  # a suspicion stays
-            found[own[k]] = replace(found[own[k]], verdict=Verdict.FOLLOW_THROUGH, cause=cause)
+    groups: dict[tuple[str, tuple[Quantity, ...]], list[tuple[int, int]]] = defaultdict(list)
+    wrong: dict[tuple[int, int], dict[int, float]] = {}
+    for student, own in problems.items():
+        values = {k: v for k, i in enumerate(own) if (v := marks[i].value) is not None and _is_wrong(marks[i])}
+        if len(values) > 1 and sum(_is_copied(marks[i]) for i in own) < _COPIED:
+            wrong[student] = values
+            groups[marks[own[0]].form, tuple(marks[i].answer.quantity for i in own)].append(student)
+    for (_, asked), students in groups.items():
+        cases = [
+            (finished.variant(*student), [marks[i].answer for i in problems[student]], wrong[student])
+            for student in students
+        ]
+        for student, granted in zip(students, FollowThrough(asked).granted_to(cases), strict=True):
+            own = problems[student]
+            for k, earlier in granted.items():
+                names = ", ".join(asked[other].name for other in earlier)
+                cause = marks[own[k]].cause if _is_copied(marks[own[k]]) else Cause("from", names)  # a suspicion stays
+                found[own[k]] = replace(found[own[k]], verdict=Verdict.FOLLOW_THROUGH, cause=cause)
     return found
 
 
