@@ -163,13 +163,14 @@ def _with_causes(finished: Finished, key: Key, marks: Sequence[MarkedAnswer]) ->
     classes = _classes(key)
     known: dict[tuple[int, str], Neighbours] = {}
     found: dict[tuple[int, int, str], Cause] = {}
+    sheets = {place: _on_sheet(key, place) for place, _ in wrong}
     for (place, number), own in wrong.items():
         group = number, own[0].form
         if group not in known:
             known[group] = Neighbours({other: key.answers(other, number) for other in classes[group]})
         near = known[group].of(place, [(item.answer, item.value) for item in own if item.value is not None])
         for item in own:
-            cause = _cause(key, item, mistakes[place, number])
+            cause = _cause(item, sheets[place], mistakes[place, number])
             if near is not None and cause.name in ("other", "rounding"):
                 cause = Cause("neighbour", key.record.sheets[near].code)
             found[place, number, item.answer.quantity.name] = cause
@@ -177,16 +178,18 @@ def _with_causes(finished: Finished, key: Key, marks: Sequence[MarkedAnswer]) ->
     return [replace(item, cause=found.get(own, item.cause)) for own, item in zip(keys, marks, strict=True)]
 
 
-def _cause(key: Key, item: MarkedAnswer, results: OfProblem) -> Cause:
+def _on_sheet(key: Key, place: int) -> dict[str, Answer]:
+    """The answers of a student's sheet by ``problem.quantity``."""
+    numbers = key.places[place]
+    return {f"{number}.{own.quantity.name}": own for number in numbers for own in key.answers(place, number)}
+
+
+def _cause(item: MarkedAnswer, sheet: Mapping[str, Answer], results: OfProblem) -> Cause:
     """The likeliest cause of one wrong answer."""
     assert item.value is not None, "a wrong answer has a value"
     name = item.answer.quantity.name
-    siblings = {
-        f"{number}.{other.quantity.name}": other
-        for number in key.places[item.place]
-        for other in key.answers(item.place, number)
-        if (number, other.quantity.name) != (item.problem, name)
-    }
+    siblings = dict(sheet)
+    del siblings[f"{item.problem}.{name}"]
     mistakes, parts = results
     return cause_of(item.value, item.answer, Comparisons(siblings, parts[name], mistakes[name]))
 
