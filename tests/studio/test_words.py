@@ -6,7 +6,8 @@ import re
 import tomllib
 from string import Formatter
 
-from variantgen.families.load import family_names, load_family
+from variantgen.families.folders import family_names
+from variantgen.families.load import load_family
 from variantgen.studio.words import ASSETS, LANGUAGES
 
 
