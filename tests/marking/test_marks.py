@@ -13,7 +13,7 @@ import openpyxl
 import pytest
 
 from variantgen.cli import main
-from variantgen.marking.follow_through import FollowThrough
+from variantgen.marking.diagnosis.follow_through import FollowThrough
 
 EXAM = """title = "Quiz"
 language = "en"

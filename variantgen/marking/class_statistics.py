@@ -17,7 +17,7 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.marking.causes import OTHER, Cause
+from variantgen.marking.diagnosis.causes import OTHER, Cause
 from variantgen.marking.marks import Marked, MarkedAnswer, Verdict
 
 _EXCHANGES = 9999

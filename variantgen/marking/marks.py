@@ -16,12 +16,12 @@ from variantgen.exam.sheets import Answer
 from variantgen.families.quantities import Quantity
 from variantgen.finished.restore import Finished
 from variantgen.marking.answer_tables import NotMatched, ReadAnswers
-from variantgen.marking.causes import OTHER, Cause, Comparisons, cause_of
-from variantgen.marking.follow_through import FollowThrough
+from variantgen.marking.diagnosis.causes import OTHER, Cause, Comparisons, cause_of
+from variantgen.marking.diagnosis.follow_through import FollowThrough
+from variantgen.marking.diagnosis.neighbours import Neighbours
+from variantgen.marking.diagnosis.plausible_mistakes import OfProblem, mistakes_of
 from variantgen.marking.key import Key, is_right
 from variantgen.marking.matching import SIGNS, Correction, Typed, corrections, is_blank, matched
-from variantgen.marking.neighbours import Neighbours
-from variantgen.marking.plausible_mistakes import OfProblem, mistakes_of
 from variantgen.marking.typed_number import read_number
 from variantgen.marking.worth import worth_of
 

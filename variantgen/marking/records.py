@@ -13,7 +13,7 @@ from pathlib import Path
 
 from variantgen.exam.manifest import Manifest
 from variantgen.marking.answer_tables import NotMatched
-from variantgen.marking.causes import Cause
+from variantgen.marking.diagnosis.causes import Cause
 from variantgen.marking.marks import Marked, MarkedAnswer, Verdict
 from variantgen.outputs.files.records import csv_rows, safe_cell
 

@@ -15,9 +15,9 @@ from starlette.responses import HTMLResponse, Response
 from variantgen.studio.documents.document import Document
 from variantgen.studio.documents.journal import FileChange
 from variantgen.studio.studio import Studio
-from variantgen.studio.summary import USUAL_CLASS, summary
+from variantgen.studio.summary import summary
 from variantgen.studio.words import ASSETS, LANGUAGES, PageWords, page_words
-from variantgen.studio.workspace import BUILDS, ROSTER
+from variantgen.studio.workspace import BUILDS, ROSTER, USUAL_CLASS
 
 STEPS = ("choose", "compose", "roster", "build", "mark")
 TOOLS = ("author", "play")

@@ -11,8 +11,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from variantgen.errors import InputError, Problem
-from variantgen.studio.summary import USUAL_CLASS
-from variantgen.studio.workspace import Workspace
+from variantgen.studio.workspace import USUAL_CLASS, Workspace
 
 if TYPE_CHECKING:
     from variantgen.builder.preview import DrawnClass

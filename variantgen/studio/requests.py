@@ -8,8 +8,21 @@ from typing import Any
 from starlette.requests import Request
 
 from variantgen.errors import InputError, Problem
+from variantgen.studio.documents.document import Document
+from variantgen.studio.studio import Studio
 
 WINDOW = 40  # letters of the name of a window
+
+
+def studio_of(request: Request) -> Studio:
+    """The studio that a request is to."""
+    found: Studio = request.app.state.studio
+    return found
+
+
+def document_of(request: Request) -> Document:
+    """The exam that an address names. Raises UnknownKeyError."""
+    return studio_of(request).document(request.path_params["exam"])
 
 
 async def read_json(request: Request) -> dict[str, Any]:

@@ -14,6 +14,7 @@ from variantgen.errors import InputError, Problem
 from variantgen.studio.builds import Builds
 from variantgen.studio.documents.document import Document
 from variantgen.studio.events import Events
+from variantgen.studio.preview import Previews
 from variantgen.studio.workspace import Workspace
 
 T = TypeVar("T")
@@ -32,20 +33,19 @@ class Studio:
     """A running studio.
 
     Figures are drawn by one thread and sheets by another, so that a slider does not wait for a page; both take their
-    turns with the server, which only reads and writes. What pages have to end stands in ``at_end``.
+    turns with the server, which only reads and writes.
     """
 
     workspace: Workspace
     events: Events = field(default_factory=Events)
     figures: ThreadPoolExecutor = field(default_factory=lambda: ThreadPoolExecutor(1, "figures"))
     sheets: ThreadPoolExecutor = field(default_factory=lambda: ThreadPoolExecutor(1, "sheets"))
-    at_end: list[Callable[[], None]] = field(default_factory=list)
+    previews: Previews = field(default_factory=Previews)
     _documents: dict[Path, Document] = field(default_factory=dict)
     _lock: threading.Lock = field(default_factory=threading.Lock)
 
     def __post_init__(self) -> None:
         self.builds = Builds(self.workspace, self.events)
-        self.at_end.append(self.builds.close)
 
     def document(self, key: str) -> Document:
         """The exam of a key. Raises UnknownKeyError."""
@@ -93,5 +93,5 @@ class Studio:
         self.events.end()
         for pool in (self.figures, self.sheets):
             pool.shutdown(wait=True, cancel_futures=True)
-        for end in self.at_end:
-            end()
+        self.builds.close()
+        self.previews.close()

@@ -23,6 +23,7 @@ STATE = ".studio"
 ROSTER = "roster.csv"
 BUILDS = "builds"
 MANIFEST = "manifest.json"
+USUAL_CLASS = 30  # numbered variants where there is no roster
 # Words that begin the addresses of other things than exams.
 _TAKEN = frozenset(
     {"static", "figure", "events", "author", "play", "exams", "language", "stars", "example", "families", "builds"}

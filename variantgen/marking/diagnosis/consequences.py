@@ -3,7 +3,7 @@
 A follow-through is granted only where the steps of the solution and one of these agree:
 
 - all velocities in proportion to the wrong one, as if it were the given motion of a mechanism with one freedom;
-- what theorems make of the wrong numbers and right ones (:mod:`variantgen.marking.derived`);
+- what theorems make of the wrong numbers and right ones (:mod:`variantgen.marking.diagnosis.derived`);
 - for a point C that slides along a line of a body through its point A, with the components along and across the line of
   ``v_C = v_A + omega x r + v_rel`` and ``a_C = a_A + epsilon x r - omega^2 r + 2 omega x v_rel + a_rel``;
 - for centres ``PA = v_A / omega``, ``QA = a_A / sqrt(epsilon^2 + omega^4)``, ``tan mu = |epsilon| / omega^2``;
@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from variantgen.families.quantities import Quantity
-from variantgen.marking.derived import DerivedMotion
+from variantgen.marking.diagnosis.derived import DerivedMotion
 from variantgen.mechanism.arithmetic import cross, dot
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.relative import relative_motion, sliding_points

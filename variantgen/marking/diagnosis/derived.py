@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.families.quantities import Quantity
-from variantgen.marking.candidates import SMALL, Candidates, each, few, projecting, without_noise
+from variantgen.marking.diagnosis.candidates import SMALL, Candidates, each, few, projecting, without_noise
 from variantgen.mechanism.arithmetic import cross
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.relative import relative_motion, sliding_points

@@ -1,8 +1,9 @@
 """Answers that are right given the student's own earlier ones.
 
 The steps of the worked solution are gone again from the student's numbers, and what follows is confirmed by a second
-way (:mod:`variantgen.marking.consequences`). An earlier answer is taken as it is only if it is not zero, has the sense
-of the right one, and is a tenth to ten times as large: nobody gains by writing numbers that make the rest easy.
+way (:mod:`variantgen.marking.diagnosis.consequences`). An earlier answer is taken as it is only if it is not zero, has
+the sense of the right one, and is a tenth to ten times as large: nobody gains by writing numbers that make the rest
+easy.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from collections.abc import Mapping, Sequence
 
 from variantgen.exam.sheets import Answer
 from variantgen.families.quantities import Quantity, motion_order
-from variantgen.marking.consequences import confirms
+from variantgen.marking.diagnosis.consequences import confirms
 from variantgen.marking.key import scale
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.hand.following import FollowingSteps
