@@ -19,6 +19,7 @@ from variantgen.exam.roster.reading import only_counts
 from variantgen.exam.roster.table_files import read_worksheets
 from variantgen.exam.roster.worksheet import Worksheet
 from variantgen.limits import TITLE_ROWS
+from variantgen.studio.roster.looks import by_looks
 from variantgen.studio.workspace import ROSTER, Workspace, write_whole
 
 KINDS = ("", "name", *NAME_PARTS, "id", "group")
@@ -171,7 +172,8 @@ def _guess(sheet: Worksheet, known: Mapping[str, str]) -> Tab:
     try:
         columns = find_columns([cells for _, cells in sheet.rows])
     except InputError:
-        return Tab(sheet.title, sheet.rows, 0, ("",) * width, False)
+        begin, kinds = by_looks([cells for _, cells in sheet.rows], width)
+        return Tab(sheet.title, sheet.rows, begin, kinds, "name" in kinds)
     found = {place: kind for kind, place in columns.places.items() if kind != "number"}
     rows = [cells for _, cells in sheet.rows[columns.row + 1 :]]
     own = columns.places.get("id", columns.places.get("number"))
