@@ -24,7 +24,8 @@ from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Family, Form
 from variantgen.families.files import FAMILY
-from variantgen.families.load import family_names, load_family
+from variantgen.families.folders import family_names
+from variantgen.families.load import load_family
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.hand.work import Work, work_of
