@@ -35,7 +35,7 @@ def test_pages_use_words_that_there_are() -> None:
     english = tables("en")
     for path in sorted((ASSETS / "pages").glob("*.j2")):
         table = path.name.partition(".")[0]
-        own = english.get(table) or {**english["choose"], **english["compose"], **english["build"]}
+        own = english.get(table) or {**english["choose"], **english["compose"], **english["build"], **english["play"]}
         for name in re.findall(r"\bwords\.(\w+)", path.read_text("utf-8")):
             assert name in own or name in ("get", "title"), (path.name, name)
         for name in re.findall(r"\bframe\.(?!html)(\w+)", path.read_text("utf-8")):
