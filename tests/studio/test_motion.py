@@ -20,35 +20,38 @@ def played(family: str, form: str = "", ask: tuple[str, ...] = ()) -> dict[str, 
 def test_vectors_are_those_of_a_crank_that_turns_evenly() -> None:
     """A runs round O: its velocity is square to the crank and always as long, its acceleration points to O."""
     found = played("four_bar", "crank", ("v_B",))
-    (centre,) = [complex(*one["at"][0]) for one in found["names"] if one["at"][0] == one["at"][-1]][:1] or [0j]
     velocity, acceleration = found["velocities"]["vectors"][0], found["accelerations"]["vectors"][0]
     places = [complex(*place) for place in velocity["at"]]
     middle = sum(places[:-1]) / len(places[:-1])  # the centre of a whole turn in equal steps
-    assert abs(middle - centre) < 40
-    for place, v, a in zip(places, velocity["by"], acceleration["by"], strict=True):
-        arm, v, a = place - middle, complex(*v), complex(*a)
-        assert math.isclose(abs(v), abs(complex(*velocity["by"][0])), rel_tol=0.01)
+    speed = abs(complex(*velocity["by"][0]))
+    for place, by, bent in zip(places, velocity["by"], acceleration["by"], strict=True):
+        arm, v, a = place - middle, complex(*by), complex(*bent)
+        assert math.isclose(abs(v), speed, rel_tol=0.01)
         assert abs((arm.conjugate() * v).real) < 0.02 * abs(arm) * abs(v)
-        assert abs((arm.conjugate() * a).imag) < 0.02 * abs(arm) * abs(a) and (arm.conjugate() * a).real < 0
+        assert abs((arm.conjugate() * a).imag) < 0.02 * abs(arm) * abs(a)
+        assert (arm.conjugate() * a).real < 0
 
 
-def test_the_centre_of_a_coupler_is_on_both_cranks() -> None:
+def test_the_centre_of_a_coupler_is_seen_square_to_its_velocities() -> None:
     found = played("four_bar", "crank")
     (centre,) = found["centres"]
-    for place, *vectors in zip(centre["at"], *(v["at"] for v in found["velocities"]["vectors"]), strict=True):
-        if place is None:
-            continue
-        for at, one in zip(vectors, found["velocities"]["vectors"], strict=True):
-            by = one["by"][centre["at"].index(place)]
-            arm, v = complex(*at) - complex(*place), complex(*by)
-            assert abs((arm.conjugate() * v).real) <= 0.02 * abs(arm) * abs(v) + 0.05 * abs(v) + 0.01 * abs(arm)
+    seen = 0
+    for i, place in enumerate(centre["at"]):
+        for one in found["velocities"]["vectors"] if place else ():
+            arm, v = complex(*one["at"][i]) - complex(*place), complex(*one["by"][i])
+            # Places are rounded to 0.01.
+            assert abs((arm.conjugate() * v).real) <= 0.01 * (abs(arm) + abs(v) + 1)
+            seen += 1
+    assert seen > 300
 
 
 def test_way_and_frames_have_one_length() -> None:
     found = played("wheel_with_rod")
     size = len(found["way"]["values"])
     assert size == len(found["frames"]) and all(len(frame) == len(found["pens"]) for frame in found["frames"])
-    lists = [one["at"] for one in found["names"] + found["velocities"]["vectors"]] + [c["values"] for c in found["curves"]]
+    lists = [one["at"] for one in found["names"] + found["velocities"]["vectors"]] + [
+        c["values"] for c in found["curves"]
+    ]
     assert {len(one) for one in lists} == {size}
     assert found["way"]["ends"] == ["", ""] or found["way"]["why"]
 

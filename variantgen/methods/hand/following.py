@@ -26,8 +26,8 @@ class FollowingSteps:
     def answers(self, variant: Variant, right: Sequence[float], pinned: Mapping[int, float]) -> Array:
         """The answers that follow where those at the places ``pinned`` are the numbers given, shape (answers,).
 
-        All in printed units; ``right`` are the answers of the variant. Not a number where the steps of no method lead
-        to the right answers, and where nothing can be put in the place of an answer.
+        All in printed units, magnitudes without a sign; ``right`` are the answers of the variant. Not a number where
+        the steps of no method lead to the right answers, and where nothing can be put in the place of an answer alone.
         """
         data = printed_data(variant.form, [variant])
         found = self._steps(variant, data, np.array(right))
@@ -35,7 +35,8 @@ class FollowingSteps:
             return np.full(len(self._asked), np.nan)
         steps, signs = found
         with np.errstate(all="ignore"):
-            return signs * _followed(steps, data, {place: signs[place] * number for place, number in pinned.items()})
+            own = signs * _followed(steps, data, {place: signs[place] * number for place, number in pinned.items()})
+        return np.where([quantity.is_magnitude for quantity in self._asked], np.abs(own), own)
 
     def _steps(self, variant: Variant, data: Numbers, right: Array) -> tuple[RepeatableCalculation, Array] | None:
         """Steps that lead to the answers of a variant but for their signs, and the signs, shape (answers,).
@@ -72,12 +73,21 @@ def _followed(steps: RepeatableCalculation, data: Numbers, pinned: Mapping[int, 
     """The answers with numbers put in the places of some of them."""
     operations = steps.operations
     numbers = operations.begin(data)
+    found_at = [_first_place(steps, answer) for answer in range(len(steps.answers))]
     for answer, number in pinned.items():
-        place, value = steps.answers[answer], number
-        while place in operations.listed and operations.listed[place][0] is np.negative:
-            place, value = operations.listed[place][1][0], -value  # what later steps use is the magnitude
-        if place not in operations.listed:
+        place, sign = found_at[answer]
+        is_shared = any(found_at[other][0] == place for other in range(answer) if other not in pinned)
+        if place not in operations.listed or is_shared:  # an answer before it would change as well
             return np.full(len(steps.answers), np.nan)
-        numbers[place] = np.array([value])
+        numbers[place] = np.array([sign * number])
     operations.run(numbers, operations.listed)
     return np.array([float(np.ravel(numbers[place])[0]) for place in steps.answers])
+
+
+def _first_place(steps: RepeatableCalculation, answer: int) -> tuple[int, float]:
+    """Where an answer is found but for its sign, which is what later steps use; and that sign."""
+    listed = steps.operations.listed
+    place, sign = steps.answers[answer], 1.0
+    while place in listed and listed[place][0] is np.negative:
+        place, sign = listed[place][1][0], -sign
+    return place, sign
