@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -68,9 +69,9 @@ def test_a_system_counts_once_with_its_elimination() -> None:
     assert work_of([x, y]) == Work(lines=2, operations=9, functions=0, systems=1, negatives=0, obtuse=0, coriolis=0)
 
 
-def works(*counts: tuple[int, int, int]) -> list[Work]:
+def works(*counts: tuple[int, int, int]) -> Counter[tuple[int, int, int]]:
     """So many works of calculations with so many negative numbers: (count, calculations, negatives)."""
-    return [Work(1, size, 0, 0, negatives, 0, 0) for count, size, negatives in counts for _ in range(count)]
+    return Counter({(size, negatives, 0): count for count, size, negatives in counts})
 
 
 def test_the_band_is_the_fullest_of_its_width() -> None:

@@ -12,6 +12,7 @@ neither single questions nor wished methods change anybody's data.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import product
@@ -23,24 +24,19 @@ from numpy.typing import NDArray
 from variantgen.errors import InputError, Problem
 from variantgen.exam.answer_tolerances import AnswerTolerances, ToleranceScreening
 from variantgen.exam.wanted_work import MOST, Span
+from variantgen.exam.work_samples import Sizes, WorkSample, variant_work, work_sample
 from variantgen.families.family import Family, Form
 from variantgen.families.quantities import Quantity, motion_order
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Frame
-from variantgen.methods.hand.work import Work, work_of
-from variantgen.methods.linkage.problem import task_of
-from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
-from variantgen.variants.attempts import FormSampler, VerificationError
-from variantgen.variants.batch import RejectionCounts
+from variantgen.methods.hand.work import Work
 from variantgen.variants.draw import FamilySampler
 from variantgen.variants.printed_data import max_distinct_problems
 from variantgen.variants.screening import Values
-from variantgen.variants.seeding import Stream
 from variantgen.variants.variant import Variant, solve_variants
 
 ROOM = 1000  # distinct variants that a band leaves at least
 _SHARE = 0.2  # of the draws that a band leaves at least: the others are in vain
-_SAMPLE = 48  # variants of a form from which its band is found
 _SPREAD = 2  # by which negative numbers, and obtuse angles, may differ in a band
 ANY_WIDTH = 1000.0  # where the work of a problem is bounded, but need not be equal
 _LISTED = 8  # members of a pool that are named
@@ -76,14 +72,8 @@ class Band:
     def __contains__(self, work: Work | None) -> bool:
         if self.calculations is None or work is None:  # without a solution a variant is judged by its confirmation
             return True
-        return all(
-            low <= number <= high
-            for (low, high), number in zip(
-                (self.calculations, self.negatives, self.obtuse),
-                (work.calculations, work.negatives, work.obtuse),
-                strict=True,
-            )
-        )
+        spans = self.calculations, self.negatives, self.obtuse
+        return all(low <= number <= high for (low, high), number in zip(spans, work.sizes, strict=True))
 
 
 @dataclass
@@ -110,12 +100,12 @@ class FairDraws:
         """The band of a form for what its draws are examined on; the form remembers it."""
         key = ("sample", family.name, tuple(asked), self.answer_tolerances.tolerance.mistakes)
         if key not in form.remembered:
-            form.remembered[key] = sample_works(family, form, asked, self.answer_tolerances)
-        works, valid = form.remembered[key]
+            form.remembered[key] = work_sample(family, form, asked, self.answer_tolerances)
+        sample: WorkSample = form.remembered[key]
         own = ("band", *key, self.width, self.wanted)
         if own not in form.remembered:
-            of = round(valid * max_distinct_problems(form, asked))
-            form.remembered[own] = band_of(works, self.width, of, self.wanted)
+            of = round(sample.valid * max_distinct_problems(form, asked))
+            form.remembered[own] = band_of(sample.works, self.width, of, self.wanted)
         found: Band = form.remembered[own]
         return found
 
@@ -166,52 +156,19 @@ class _FairScreening:
         return {**screens, "work as usual for the problem": fair}
 
 
-def variant_work(variant: Variant, motion: Motion, place: int, asked: Sequence[Quantity]) -> Work | None:
-    """The work of a variant by its natural solution; ``place`` is its index in the batch ``motion``.
-
-    None where no method leads to what is asked.
-    """
-    from variantgen.methods.compose import natural_answers  # loaded when a solution is worked out
-
-    try:
-        return work_of(natural_answers(task_of(variant, motion, place, asked)).values())
-    except NOT_APPLICABLE:
-        return None
-    except VerificationError:  # that is said of a variant when it is handed out
-        return None
-
-
-def sample_works(
-    family: Family, form: Form, asked: Sequence[Quantity], screening: AnswerTolerances, count: int = _SAMPLE
-) -> tuple[list[Work], float]:
-    """The work of variants of a fixed sample of a form, and the part of the grid that is valid.
-
-    Empty where a form has no valid variant, and where no method leads to what is asked.
-    """
-    sampler = FormSampler(family, form, asked, RejectionCounts(), family.name, screening)
-    try:
-        attempts = sampler.many(Stream("work", family.name, form.name), count, by_hand=True)
-    except InputError:  # the draw of the students' variants says it, with their keys
-        return [], 0.0
-    variants = [sampler.variant(attempts, place) for place in range(attempts.number.size)]
-    motion = solve_variants(variants, sampler.order)
-    works = (variant_work(variant, motion, i, asked) for i, variant in enumerate(variants))
-    return [work for work in works if work is not None], count / int(attempts.number[-1])
-
-
-def band_of(works: Sequence[Work], width: float, of: int, wanted: Span | None = None) -> Band:
+def band_of(works: Counter[Sizes], width: float, of: int, wanted: Span | None = None) -> Band:
     """The narrowest band, of the wanted width or of a multiple, that leaves enough room of ``of`` variants.
 
     Where calculations are ``wanted`` to lie between two numbers, so does the band.
     """
-    table = np.array([(work.calculations, work.negatives, work.obtuse) for work in works]).reshape(len(works), 3)
+    table = np.array([*works.elements()]).reshape(works.total(), 3)
     median = float(np.median(table[:, 0])) if works else 0.0
     for times in _WIDTHS:
         found = _fullest(table, times * width, median, wanted or (0, MOST))
         if found is None:
             break
         inside, spans = found
-        share = inside / len(works)
+        share = inside / len(table)
         if share * of >= ROOM and share >= _SHARE:
             return Band(*spans, median, share, round(share * of), of, widened=times > 1.0)
     return Band(None, (0, 0), (0, 0), median, 1.0, of, of, widened=True)

@@ -43,40 +43,64 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Print names, titles and forms, or what one family offers. Raises InputError."""
-    from variantgen.families.folders import family_folders
-    from variantgen.families.load import family_names, load_family
-    from variantgen.wording.language import load_language
+    from variantgen.families.folders import family_folders, family_names
+    from variantgen.wording.words import check_language
 
-    load_language(arguments.lang)
+    check_language(arguments.lang)
     folders = family_folders(arguments.families)
     if arguments.structures:
-        _structures(arguments, [load_family(name, folders) for name in family_names(folders)])
-        return 0
-    if arguments.family:
+        _structures(arguments, folders)
+    elif arguments.family:
         refuse_exam(arguments, "list tells what a family offers")
-        _one(arguments, load_family(arguments.family, folders), folders)
-        return 0
-    if arguments.figure:
+        _one(arguments, folders)
+    elif arguments.figure:
         raise InputError(Problem("of which family?", key="--figure", remedy="name it: variantgen list four_bar ..."))
-    families = [load_family(name, folders) for name in family_names(folders)]
-    if arguments.json:
-        rows = [{"family": f.name, "title": dict(f.titles), "forms": [n for n in f.forms if n]} for f in families]
-        say(json.dumps(rows, ensure_ascii=False, indent=2))
-        return 0
-    width = max(len(family.name) for family in families)
-    for family in families:
-        forms = ", ".join(name for name in family.forms if name)
-        say(f"{family.name:{width}}  {family.title(arguments.lang)}" + (f"  [{forms}]" if forms else ""))
+    else:
+        _all(arguments, {name: _heading(name, folders) for name in family_names(folders)})
     return 0
 
 
-def _structures(arguments: argparse.Namespace, families: list[Family]) -> None:
+def _heading(name: str, folders: tuple[Path, ...]) -> tuple[Mapping[str, str], list[str]]:
+    """The titles by language and the forms of a family.
+
+    One of the catalogue is only read: to check them all takes longer than everything else here, and they are right.
+    """
+    from variantgen.families.folders import file_of
+    from variantgen.resources import catalog_dir
+    from variantgen.tables import read_toml
+
+    path = file_of(name, folders)
+    if path is not None and path.parent.parent == catalog_dir():
+        data = read_toml(path)
+        return data["title"], list(data.get("forms", ()))
+    from variantgen.families.load import load_family
+
+    family = load_family(name, folders)
+    return family.titles, [form for form in family.forms if form]
+
+
+def _all(arguments: argparse.Namespace, families: Mapping[str, tuple[Mapping[str, str], list[str]]]) -> None:
+    """A line for each family."""
+    if arguments.json:
+        rows = [{"family": name, "title": dict(titles), "forms": forms} for name, (titles, forms) in families.items()]
+        say(json.dumps(rows, ensure_ascii=False, indent=2))
+        return
+    width = max(map(len, families))
+    for name, (titles, forms) in families.items():
+        title = titles.get(arguments.lang) or titles.get("en") or name
+        say(f"{name:{width}}  {title}" + (f"  [{', '.join(forms)}]" if forms else ""))
+
+
+def _structures(arguments: argparse.Namespace, folders: tuple[Path, ...]) -> None:
     """The structures of textbooks, or a page with their pictures."""
+    from variantgen.families.folders import family_names
+    from variantgen.families.load import load_family
     from variantgen.outputs.structures import structure_rows, write_structures
 
     path: Path | None = arguments.figure
     if path is not None and path.suffix != ".html":
         raise InputError(Problem("expected a page", key="--figure", value=str(path), remedy="structures.html"))
+    families = [load_family(name, folders) for name in family_names(folders)]
     rows = structure_rows(families, arguments.links)
     if path is not None:
         write_structures(rows, arguments.links, path)
@@ -89,11 +113,13 @@ def _structures(arguments: argparse.Namespace, families: list[Family]) -> None:
             say(line)
 
 
-def _one(arguments: argparse.Namespace, family: Family, folders: tuple[Path, ...]) -> None:
+def _one(arguments: argparse.Namespace, folders: tuple[Path, ...]) -> None:
     """What one family offers, and its figures."""
+    from variantgen.families.load import load_family
     from variantgen.overview import overview
     from variantgen.wording.language import load_language
 
+    family = load_family(arguments.family, folders)
     named = "" if arguments.family == family.name else arguments.family
     if arguments.figure:
         _draw(arguments, family, folders)
