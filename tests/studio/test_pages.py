@@ -225,8 +225,9 @@ def test_a_mechanism_is_played(visit: Open) -> None:
     expect(page.locator("#label")).to_have_text("Problem 1, Variant 2")
     assert given.startswith("φ = ")
     page.get_by_role("button", name="Other mechanism").click()
-    page.get_by_role("searchbox").fill("wheel racks")
-    page.locator(".tiles a:visible").click()
+    page.get_by_role("searchbox").fill("wheel both bars")
+    expect(page.locator(".tiles li:visible")).to_have_count(1, timeout=30_000)
+    page.locator(".tiles li:visible a").click()
     page.wait_for_url("**/exam/play?family=wheel_between_racks**")
     expect(page.locator("#label")).to_have_text("Variant 11")
     assert window.complaints == []
