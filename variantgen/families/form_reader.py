@@ -21,7 +21,7 @@ from variantgen.families.nice import read_nice
 from variantgen.families.parameter import Parameter
 from variantgen.families.parameters import check_name, read_parameter, unknown_name
 from variantgen.families.plain_angles import Kind, check_angle, kind_of, kind_of_parameter
-from variantgen.families.quantities import quantity_names
+from variantgen.families.quantities import is_quantity, quantity_names
 from variantgen.families.soundness import demands
 from variantgen.families.templates import TemplateReader
 from variantgen.families.units import unit
@@ -155,7 +155,7 @@ class FormReader:
     def _check_ask(self, form: Form) -> None:
         names = quantity_names(form.sample)
         for pattern in form.may_ask:
-            if not any(fnmatchcase(name, pattern) for name in names):
+            if not any(fnmatchcase(name, pattern) for name in names) and not is_quantity(pattern, form.sample):
                 raise InputError(
                     Problem(
                         "fits no quantity of the scene",

@@ -1,8 +1,10 @@
 """Numbers of a full turn of the crank: extremes and where they lie, to and fro ways, mean values; shape (N,) each.
 
 An extreme is looked for on a regular grid of the crank's angle; about each that may be the largest, the quantity is
-interpolated by a polynomial in Chebyshev's points, twice, the second time in a twentieth of the interval. What has no
-value (a crank that cannot make the turn, a point that does not move to and fro on a straight line) is infinite.
+interpolated by a polynomial in Chebyshev's points, in a part of a step of the grid about the top of the parabola
+through three values. Where the polynomial does not settle (a kink, a peak at the end of that part) it takes two more,
+over the whole step and in a twentieth of it. What has no value (a crank that cannot make the turn, a point that does
+not move to and fro on a straight line) is infinite.
 """
 
 from __future__ import annotations
@@ -23,9 +25,13 @@ _STEP = FULL_TURN / GRID
 _DEGREE = 8
 _NODES = np.cos(np.pi * np.arange(_DEGREE + 1) / _DEGREE)
 _TO_COEFFICIENTS = np.linalg.inv(chebyshev.chebvander(_NODES, _DEGREE))
-_FINE = np.linspace(-1.0, 1.0, 401)
+_FINE = np.linspace(-1.0, 1.0, 41)
 _AT_FINE = chebyshev.chebvander(_FINE, _DEGREE)
-_CLOSER = 0.05
+_SLOPE = chebyshev.chebder(np.eye(_DEGREE + 1), axis=1)  # what derivatives make of the coefficients
+_BEND = chebyshev.chebder(_SLOPE, axis=1)
+_PART, _CLOSER = 0.25, 0.05  # of a step of the grid: about the parabola's top; the second time, where need be
+_SETTLED = 1e-12  # relative: the last two coefficients of a polynomial that leaves nothing out
+_INSIDE = 0.95  # of the part: peaks farther out may lie beyond it
 _NEAR = 0.05  # of the range: how far below the largest value of the grid another may lie and be it
 _SAME = 1e-9  # relative: of two equally large values the first counts
 _CONSTANT = 1e-9  # relative range of what does not change
@@ -58,7 +64,7 @@ def largest(turn: CrankTurn, quantity: Scalar) -> Extreme:
     value = np.where(turn.complete, top[:, 0], np.inf)
     angle = np.full(turn.size, np.inf)
     if own.size:
-        at, height = _refined(turn, quantity, own, place)
+        at, height = _refined(turn, quantity, own, place, table)
         best = np.full(turn.size, -np.inf)
         np.maximum.at(best, own, height)
         first = height >= best[own] - _SAME * np.abs(best[own])
@@ -73,33 +79,53 @@ def smallest(turn: CrankTurn, quantity: Scalar) -> Extreme:
     return Extreme(np.where(turn.complete, -found.value, np.inf) + 0.0, found.angle)
 
 
-def _refined(turn: CrankTurn, quantity: Scalar, own: NDArray[np.intp], place: NDArray[np.intp]) -> tuple[Field, Field]:
-    """Angles (0 to 2 pi) and heights of the peaks near places of the grid, one of the variant ``own`` each."""
-    centre: Field = np.asarray(place * _STEP, dtype=np.float64)
-    width = _STEP
-    for _ in range(2):
-        angles = centre[:, None] + width * _NODES
-        variants = np.repeat(own, len(_NODES))
-        values = quantity(turn.at(variants, angles.ravel()), variants).reshape(angles.shape)
-        coefficients = values @ _TO_COEFFICIENTS.T
-        peak = _FINE[np.argmax(coefficients @ _AT_FINE.T, axis=1)]
-        peak = _risen(coefficients, peak)
-        centre, width = centre + width * peak, width * _CLOSER
-    height = np.sum(chebyshev.chebvander(peak, _DEGREE) * coefficients, axis=1)
+def _refined(
+    turn: CrankTurn, quantity: Scalar, own: NDArray[np.intp], place: NDArray[np.intp], table: Field
+) -> tuple[Field, Field]:
+    """Angles (0 to 2 pi) and heights of the peaks near places of the grid, one of the variant ``own`` each.
+
+    ``table`` has the values on the grid, shape (N, GRID).
+    """
+    before, top, after = (table[own, (place + k) % GRID] for k in (-1, 0, 1))
+    bend = before - 2 * top + after
+    aside = 0.5 * (before - after) / np.where(bend < 0, bend, -np.inf)
+    centre: Field = (place + aside) * _STEP
+    centre, height, settled = _polynomial(turn, quantity, own, centre, _PART * _STEP)
+    if not settled.all():
+        few = np.flatnonzero(~settled)
+        again, width = np.asarray(place[few] * _STEP, dtype=np.float64), _STEP
+        for _ in range(2):
+            again, height[few], _ = _polynomial(turn, quantity, own[few], again, width)
+            width *= _CLOSER
+        centre[few] = again
     angle = np.mod(centre, FULL_TURN)
     return np.where(FULL_TURN - angle < _SAME, 0.0, angle), height
 
 
+def _polynomial(
+    turn: CrankTurn, quantity: Scalar, own: NDArray[np.intp], centre: Field, width: float
+) -> tuple[Field, Field, NDArray[np.bool_]]:
+    """Angle and height of the peak so far about a centre, and whether the polynomial has settled; shape (M,) each."""
+    angles = centre[:, None] + width * _NODES
+    variants = np.repeat(own, len(_NODES))
+    values = quantity(turn.at(variants, angles.ravel()), variants).reshape(angles.shape)
+    coefficients = values @ _TO_COEFFICIENTS.T
+    peak = _risen(coefficients, _FINE[np.argmax(coefficients @ _AT_FINE.T, axis=1)])
+    rest = np.max(np.abs(coefficients[:, -2:]), axis=1)
+    settled = (rest <= _SETTLED * np.max(np.abs(values), axis=1)) & (np.abs(peak) <= _INSIDE)
+    return centre + width * peak, np.sum(chebyshev.chebvander(peak, _DEGREE) * coefficients, axis=1), settled
+
+
 def _risen(coefficients: Field, place: Field) -> Field:
     """The roots of the derivatives of polynomials near ``place``, by Newton's method within the steps of the table."""
-    slope = chebyshev.chebder(coefficients, axis=1)
-    bend = chebyshev.chebder(slope, axis=1)
+    slope, bend = coefficients @ _SLOPE, coefficients @ _BEND
+    low, high = (np.clip(place + step, -1.0, 1.0) for step in (-0.05, 0.05))
     found = place
-    for _ in range(4):
-        down = np.sum(chebyshev.chebvander(found, slope.shape[1] - 1) * slope, axis=1)
-        curve = np.sum(chebyshev.chebvander(found, bend.shape[1] - 1) * bend, axis=1)
+    for _ in range(5):
+        powers = chebyshev.chebvander(found, _DEGREE - 1)
+        down, curve = np.sum(powers * slope, axis=1), np.sum(powers[:, :-1] * bend, axis=1)
         step = np.where(curve < 0, down / np.where(curve < 0, curve, 1.0), 0.0)
-        found = np.clip(found - step, np.maximum(place - 0.005, -1.0), np.minimum(place + 0.005, 1.0))
+        found = np.clip(found - step, low, high)
     return np.asarray(found)
 
 
@@ -124,7 +150,7 @@ def _stops(turn: CrankTurn, quantity: Scalar) -> tuple[NDArray[np.intp], Field]:
     own, place = np.nonzero(low)
     stops = np.empty(0)
     if own.size:
-        stops, height = _refined(turn, lambda motion, rows: -(quantity(motion, rows) ** 2), own, place)
+        stops, height = _refined(turn, lambda motion, rows: -(quantity(motion, rows) ** 2), own, place, -square)
         still = -height <= (_STOP * np.max(table, axis=1)[own]) ** 2
         own, stops = own[still], stops[still]
     return own, stops
