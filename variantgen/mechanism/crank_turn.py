@@ -146,16 +146,16 @@ class CrankTurn:
             time = 1.0 / np.abs(self._rate[:, None])
         placed = np.isin(found.outcome, (Outcome.SOLVED, Outcome.DEAD_POINT)).reshape(self.size, GRID)
         follows = placed[:, 0].copy()
-        places, speeds, closer = (
-            np.stack([table[name] for name in found.v]).reshape(-1, self.size, GRID) for table in (found.z, found.v, near)
-        )
-        meant = speeds * time
-        for step, mean, share in (
-            (closer - places, meant * _NEARBY, _DEVIATES),
-            (_next(places) - places, 0.5 * (_next(meant) + meant) * (FULL_TURN / GRID), _JUMPS),
+        shape = (-1, self.size, GRID)
+        tables = (np.stack([table[name] for name in found.v]) for table in (found.z, found.v, near))
+        places, speeds, closer = (table.reshape(shape) for table in tables)
+        rate = speeds * time
+        for step, meant, share in (
+            (closer - places, rate * _NEARBY, _DEVIATES),
+            (_next(places) - places, 0.5 * (_next(rate) + rate) * (FULL_TURN / GRID), _JUMPS),
         ):
-            known = np.isfinite(step * mean)
-            change, mean = np.where(known, step, 0.0), np.where(known, mean, 0.0)
+            known = np.isfinite(step * meant)
+            change, mean = np.where(known, step, 0.0), np.where(known, meant, 0.0)
             most = np.max(np.maximum(np.abs(change), np.abs(mean)), axis=2, keepdims=True)
             follows &= np.all(np.abs(change - mean) <= share * most + _NOTHING, axis=(0, 2))
         return follows, ~np.all(placed, axis=1)
