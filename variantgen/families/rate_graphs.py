@@ -8,9 +8,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 from decimal import Decimal
+from itertools import product
 from math import gcd
 
 from variantgen.errors import InputError, Problem
+from variantgen.families.draw_rules import TiedValues
 from variantgen.families.family import Family, Form
 from variantgen.families.units import unit
 
@@ -42,7 +44,8 @@ def _common(first: Decimal, second: Decimal) -> Decimal:
 def with_graph(family: Family) -> Family:
     """The family with the rate and the acceleration of the first driver told by a graph.
 
-    Raises InputError for a form that gives not both by numbers of their own, and for data that no grid shows.
+    Of their values those pairs are drawn that a grid shows. Raises InputError for a form that gives not both by numbers
+    of their own, and where no pair is left.
     """
     return replace(family, forms={name: _with_graph(form) for name, form in family.forms.items()})
 
@@ -58,14 +61,27 @@ def _with_graph(form: Form) -> Form:
     if len(names) != 2 or len(pairs) != 1:
         said = "the first driver has not a velocity and an acceleration of its own"
         raise InputError(Problem(said, key="graph", value=form.name, remedy="choose another form"))
-    rate, acceleration = (form.parameters[name].printed for name in pairs[0])
-    for r in rate:
-        for a in acceleration:
-            if grid_of(abs(r), abs(a)) is None:
-                said = f"{pairs[0][0]} = {r} and {pairs[0][1]} = {a} cannot be read from one grid"
-                remedy = "set both, or narrow their ranges: the acceleration times 0.1 s at most as large as the rate"
-                raise InputError(Problem(said, key="graph", value=form.name, remedy=remedy))
-    return replace(form, figure=replace(form.figure, graph=pairs[0]))
+    ties = _readable(form, pairs[0])
+    if not ties.rows:
+        said = f"no values of {' and '.join(pairs[0])} can be read from one grid"
+        remedy = "give them other values or ranges: the acceleration times 0.1 s at most as large as the rate"
+        raise InputError(Problem(said, key="graph", value=form.name, remedy=remedy))
+    return replace(form, ties=ties, figure=replace(form.figure, graph=pairs[0]))
+
+
+def _readable(form: Form, names: tuple[str, str]) -> TiedValues:
+    """The values of a rate and its acceleration that a grid shows, with the values that go together already."""
+    pairs = product(*(form.parameters[name].printed for name in names))
+    found = TiedValues(names, tuple(pair for pair in pairs if grid_of(*map(abs, pair)) is not None))
+    return _joined(form.ties, found) if form.ties else found
+
+
+def _joined(first: TiedValues, second: TiedValues) -> TiedValues:
+    """The rows of both that agree in the names that they share."""
+    names = tuple(dict.fromkeys(first.names + second.names))
+    tables = [[dict(zip(tied.names, row, strict=True)) for row in tied.rows] for tied in (first, second)]
+    rows = [one | other for one, other in product(*tables) if one | other == other | one]
+    return TiedValues(names, tuple(tuple(row[name] for name in names) for row in rows))
 
 
 def _is_derivative(form: Form, rate: str, acceleration: str) -> bool:

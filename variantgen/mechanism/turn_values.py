@@ -2,9 +2,9 @@
 
 An extreme is looked for on a regular grid of the crank's angle; about each that may be the largest, the quantity is
 interpolated by a polynomial in Chebyshev's points, in a part of a step of the grid about the top of the parabola
-through three values. Where the polynomial does not settle (a kink, a peak at the end of that part) it takes two more,
-over the whole step and in a twentieth of it. What has no value (a crank that cannot make the turn, a point that does
-not move to and fro on a straight line) is infinite.
+through three values. Where the polynomial does not settle (a kink, a peak at the end of that part) more follow, over
+the whole step and each in a fifth of the one before. What has no value (a crank that cannot make the turn, a quantity
+that does not change, a point that does not move to and fro) is infinite.
 """
 
 from __future__ import annotations
@@ -29,7 +29,8 @@ _FINE = np.linspace(-1.0, 1.0, 41)
 _AT_FINE = chebyshev.chebvander(_FINE, _DEGREE)
 _SLOPE = chebyshev.chebder(np.eye(_DEGREE + 1), axis=1)  # what derivatives make of the coefficients
 _BEND = chebyshev.chebder(_SLOPE, axis=1)
-_PART, _CLOSER = 0.25, 0.05  # of a step of the grid: about the parabola's top; the second time, where need be
+_PART, _CLOSER = 0.25, 0.2  # of a step of the grid: about the parabola's top; each time again, where need be
+_TIMES = 13  # until a kink is known to ten digits
 _SETTLED = 1e-12  # relative: the last two coefficients of a polynomial that leaves nothing out
 _INSIDE = 0.95  # of the part: peaks farther out may lie beyond it
 _NEAR = 0.05  # of the range: how far below the largest value of the grid another may lie and be it
@@ -37,6 +38,7 @@ _SAME = 1e-9  # relative: of two equally large values the first counts
 _CONSTANT = 1e-9  # relative range of what does not change
 _STOP = 1e-7  # of the largest speed: less is at rest
 _ON_LINE = 1e-7  # of the way
+_APART = 1e-7  # rad: between two places at which a point is at rest
 _GAUSS, _WEIGHTS = np.polynomial.legendre.leggauss(20)
 _PARTS = 8  # pieces of a turn, at least, that are integrated one by one
 
@@ -50,7 +52,7 @@ class Extreme:
 
 
 def largest(turn: CrankTurn, quantity: Scalar) -> Extreme:
-    """The largest value over the turn. The angle is infinite where the quantity does not change."""
+    """The largest value over the turn; infinite, as its angle, where the quantity does not change."""
     variants = np.repeat(np.arange(turn.size), GRID)
     table = quantity(turn.grid, variants).reshape(turn.size, GRID)
     top = np.max(table, axis=1, keepdims=True)
@@ -61,7 +63,7 @@ def largest(turn: CrankTurn, quantity: Scalar) -> Extreme:
     constant = spread[:, 0] <= _CONSTANT * np.max(np.abs(table), axis=1)
     peaks &= (turn.complete & ~constant)[:, None]
     own, place = np.nonzero(peaks)
-    value = np.where(turn.complete, top[:, 0], np.inf)
+    value = np.where(turn.complete & ~constant, top[:, 0], np.inf)
     angle = np.full(turn.size, np.inf)
     if own.size:
         at, height = _refined(turn, quantity, own, place, table)
@@ -91,13 +93,14 @@ def _refined(
     aside = 0.5 * (before - after) / np.where(bend < 0, bend, -np.inf)
     centre: Field = (place + aside) * _STEP
     centre, height, settled = _polynomial(turn, quantity, own, centre, _PART * _STEP)
-    if not settled.all():
+    centre[~settled] = place[~settled] * _STEP
+    width = _STEP
+    for _ in range(_TIMES):
         few = np.flatnonzero(~settled)
-        again, width = np.asarray(place[few] * _STEP, dtype=np.float64), _STEP
-        for _ in range(2):
-            again, height[few], _ = _polynomial(turn, quantity, own[few], again, width)
-            width *= _CLOSER
-        centre[few] = again
+        if not few.size:
+            break
+        centre[few], height[few], settled[few] = _polynomial(turn, quantity, own[few], centre[few], width)
+        width *= _CLOSER
     angle = np.mod(centre, FULL_TURN)
     return np.where(FULL_TURN - angle < _SAME, 0.0, angle), height
 
@@ -218,26 +221,33 @@ def travel(turn: CrankTurn, target: str) -> Field:
     with np.errstate(invalid="ignore"):
         found = np.where(has, high.value - low.value, np.inf)
     if target in turn.grid.z and not np.all(has):
-        found[~has] = _chord(turn, target)[~has]
+        curved, ends = _ends_of_arc(turn, target, ~has)
+        first, last = (turn.at(curved, angles).z[target] for angles in ends)
+        found[curved] = np.abs(last - first)
     return found
 
 
-def _chord(turn: CrankTurn, point: str) -> Field:
-    """The distance of the two places at which a point is at rest: the ends of an arc on which it goes to and fro."""
+def _ends_of_arc(
+    turn: CrankTurn, point: str, wanted: NDArray[np.bool_]
+) -> tuple[NDArray[np.intp], tuple[Field, Field]]:
+    """The variants of the wanted ones, shape (N,), whose point is at rest twice in a turn, and both angles there.
+
+    These are the ends of a curve on which it goes to and fro, as the pin of a rocker does on its arc.
+    """
     own, stops = _stops(turn, lambda motion, _: np.abs(motion.v[point]))
-    found = np.full(turn.size, np.inf)
-    for variant in range(turn.size):
-        angles = np.unique(np.round(stops[own == variant], 9))
-        if turn.complete[variant] and len(angles) == 2:
-            ends = turn.at(np.array([variant, variant]), angles).z[point]
-            found[variant] = abs(ends[1] - ends[0])
-    return found
+    ends = {variant: np.sort(stops[own == variant]) for variant in np.flatnonzero(wanted).tolist()}
+    ends = {variant: angles[np.diff(angles, prepend=-1.0) > _APART] for variant, angles in ends.items()}
+    curved = [variant for variant, angles in ends.items() if turn.complete[variant] and len(angles) == 2]
+    pairs = np.array([ends[variant] for variant in curved]).reshape(-1, 2)
+    return np.array(curved, dtype=np.intp), (pairs[:, 0], pairs[:, 1])
 
 
 def time_ratio(turn: CrankTurn, target: str) -> Field:
     """The longer of the times there and back over the shorter one, shape (N,)."""
     high, low, has = to_and_fro(turn, target)
-    with np.errstate(all="ignore"):
-        there = np.mod(high.angle - low.angle, FULL_TURN)
-        back = FULL_TURN - there
-        return np.where(has, np.maximum(there, back) / np.minimum(there, back), np.inf)
+    there = np.where(has, np.mod(np.where(has, high.angle - low.angle, 0.0), FULL_TURN), 0.0)
+    if target in turn.grid.z and not np.all(has):
+        curved, (first, last) = _ends_of_arc(turn, target, ~has)
+        there[curved] = last - first
+    back = FULL_TURN - there
+    return np.where(there > 0, np.maximum(there, back) / np.where(there > 0, np.minimum(there, back), 1.0), np.inf)
