@@ -161,6 +161,7 @@ def below(figure: Drawing, grids: Sequence[Drawing], said: Sequence[str]) -> Dra
             figure,
             width=width,
             height=figure.height + _GAP + added.height,
+            graphs=figure.graphs + _GAP + added.height,
             lines=lines,
             labels=tuple(labels),
             origin=figure.origin + rise,

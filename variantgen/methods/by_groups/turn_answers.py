@@ -148,6 +148,7 @@ def _of_slider(book: Book, kind: str, found: _Limits, ends: tuple[Value, Value])
         book.say("turn.offset", False, pivot=Point(found.pivot), point=Point(found.end), distance=offset)
     if kind == "stroke":
         return SquareRoot(far**2 - offset**2) - SquareRoot(near**2 - offset**2)
+    book.say("turn.inclinations", False, far=far, near=near)
     angles = [
         book.derive(Name("inclination", letter), "angle", Applied("arcsin", Ratio(offset, end)))
         for letter, end in (("beta", far), ("gamma", near))
