@@ -15,7 +15,7 @@ _RODS = {
     "disc_on_arc_with_rod", "four_bar", "four_bar_with_sleeve", "hydraulic_hoist-with_rod", "ladder", "limit_positions",
     "quick_return_shaper", "rod_in_circular_guide", "sleeve_on_crank", "slider_crank", "slider_crank_with_graph",
     "slider_crank_with_second_rod",
-       "triangle_plate-velocities", "two_loop_mechanism", "wheel_with_rod-central", "wheel_with_rod-offset",
+    "triangle_plate-velocities", "two_loop_mechanism", "wheel_with_rod-central", "wheel_with_rod-offset",
 }  # fmt: skip
 # Coordinates are formulas of the given motion: no system of equations.
 _EXPLICIT = {
