@@ -43,7 +43,8 @@ class DescribedFigure:
 
     @property
     def labels(self) -> set[str]:
-        return {to_plain(label.formula) for label in self.figure.labels}
+        """Those of the mechanism: a graph below it is told by what it shows."""
+        return {to_plain(label.formula) for label in self.figure.labels if label.at.imag > self.figure.graphs}
 
     def named(self, name: str) -> str:
         return to_plain(self.language.symbol(name, self.variant.form.symbols))

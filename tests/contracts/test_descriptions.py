@@ -75,7 +75,8 @@ def test_right_angles_are_told_and_right(name: str) -> None:
 @pytest.mark.parametrize("name", FAMILIES)
 def test_nothing_asked_is_told(name: str) -> None:
     for each in described_figures(name):
-        for quantity in each.asked:
+        sketched = each.variant.form.figure.sketch
+        for quantity in (quantity for quantity in each.asked if quantity.name not in sketched):
             formula = each.language.quantity(quantity, each.variant.form.symbols)
             symbol = to_plain(formula.symbol if isinstance(formula, SymbolProperty) else formula)
             assert not re.search(rf"(?<!\w){re.escape(symbol)}(?!\w)", each.figure.alt), (symbol, each.figure.alt)

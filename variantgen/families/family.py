@@ -70,6 +70,7 @@ class Form:
     figure: FigureHints = FigureHints()
     symbols: Mapping[str, str] = field(default_factory=dict)
     nice: HandFriendly = field(default_factory=HandFriendly)
+    laws: Mapping[str, str] = field(default_factory=dict)
     ties: TiedValues | None = None
     nouns: Mapping[str, str] = field(default_factory=dict)  # what a body is called in a solution
     machine: Machine | None = None  # its size class; without one nothing is too large or too fast

@@ -53,6 +53,7 @@ class FormReader:
         self.derived: dict[str, FamilyExpression] = {}
         self.dimensions: dict[str, Dimension] = {}
         self.kinds: dict[str, Kind] = {}  # which of them are angles
+        self.laws: dict[str, str] = {}  # laws of time, each with the unit of its plain numbers or ''
         self._values = 0
         self._length = length
         self._templates = TemplateReader(self.expression, unit(length))
@@ -114,6 +115,7 @@ class FormReader:
             figure,
             symbols,
             nice,
+            self.laws,
             nouns=nouns,
             machine=machine,
         )
@@ -225,6 +227,8 @@ class FormReader:
                 if time in law.names:
                     moving[name] = law
                 dimension = self._define(name, law, stated.dimension if stated else None)
+                plain = named.name if named else self._length if dimension == (1, 0) else "rad"
+                self.laws[name] = plain if stated else ""
                 for i, suffix in enumerate(("_dot", "_ddot"), start=1):
                     law = law.derivative(time)
                     self._define(name + suffix, law, (dimension[0], dimension[1] - i))
