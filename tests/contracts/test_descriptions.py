@@ -50,7 +50,7 @@ def test_everything_labelled_is_named_and_nothing_else(name: str, velocities: bo
             names = {word for word in said if re.search(r"[A-Zα-ω0-9_]", word[1:] or word) or len(word) == 1} - {"a"}
         for word in names:
             parts = {"".join(part) for part in letters(word)} if "_" not in word else set()
-            assert word in each.labels or (parts and parts <= points), (word, text)
+            assert word in each.labels | each.of_graphs or (parts and parts <= points), (word, text)
 
 
 @pytest.mark.parametrize(("quantity", "shown"), [("v_B.x", True), ("v_B.angle", True), ("v_B", False)])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from decimal import Decimal
+from typing import Any
 
 from variantgen.algebra.expression import (
     Applied,
@@ -17,9 +18,11 @@ from variantgen.algebra.expression import (
     Total,
     Variable,
 )
-from variantgen.families.expressions import parse
+from variantgen.families.expressions import FamilyExpression, parse
 from variantgen.families.family import Form
 from variantgen.families.units import UNITS, unit
+from variantgen.mechanism.constructions.coordinates import Coordinates
+from variantgen.mechanism.constructions.polar import Polar
 from variantgen.wording.formula import (
     Absolute,
     Equation,
@@ -30,8 +33,10 @@ from variantgen.wording.formula import (
     Number,
     Power,
     Product,
+    Relation,
     Root,
     Sum,
+    SymbolProperty,
 )
 from variantgen.wording.language import Language
 from variantgen.wording.solution.phrases import load_phrases
@@ -44,8 +49,26 @@ def law_equations(form: Form, language: Language) -> list[Equation]:
         right = _formula(parse(form.derived[name].text).tree, language, form.symbols)
         if unit_name:
             right = Product((right, language.unit(unit(unit_name))))
-        found.append(Equation(language.symbol(name, form.symbols), right))
+        found.append(Equation(_left(form, name, language), right))
     return found
+
+
+def _left(form: Form, law: str, language: Language) -> Formula:
+    """The letter of a law, after what it is in the scene: ``OB = s``, the angle of OA with the x axis, ``x_B = s``."""
+    own = language.symbol(law, form.symbols)
+    for name, template in form.points.items():
+        stated = [field for field, value in template.fields.items() if _is_law(value, law)]
+        if not stated or template.component not in (Polar, Coordinates):
+            continue
+        if template.component is Coordinates:
+            return Relation((language.symbol(f"{stated[0]}_{name}", form.symbols), own), ("=",))
+        line = language.symbol(template.fields["origin"] + name, form.symbols)
+        return Relation((SymbolProperty("angle", line) if stated[0] == "angle" else line, own), ("=",))
+    return own
+
+
+def _is_law(value: Any, law: str) -> bool:
+    return isinstance(value, FamilyExpression) and value.text.strip() == law
 
 
 def _formula(item: Expression, language: Language, symbols: Mapping[str, str]) -> Formula:
