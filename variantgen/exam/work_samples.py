@@ -64,6 +64,11 @@ def work_sample(family: Family, form: Form, asked: Sequence[Quantity], screening
     return kept or drawn_sample(family, form, asked, screening)
 
 
+def is_kept(family: Family, form: Form, asked: Sequence[Quantity]) -> bool:
+    """Whether the sample of a form needs no drawing."""
+    return _key(family, form, asked, AnswerTolerances()) in _kept()
+
+
 def drawn_sample(family: Family, form: Form, asked: Sequence[Quantity], screening: AnswerTolerances) -> WorkSample:
     """A sample that is drawn and worked out."""
     sampler = FormSampler(family, form, asked, RejectionCounts(), family.name, screening)

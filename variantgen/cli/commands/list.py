@@ -19,8 +19,9 @@ if TYPE_CHECKING:
 
 HELP = "list the problem families, or what a family offers"
 DESCRIPTION = """\
-List the problem families of the catalogue and of your own folders.
-With the name of a family (or the path of a scene): its forms, its parameters with their ranges,
+List the problem families of the catalogue and of your own folders: title, forms, and for those of the
+catalogue the calculations that a variant takes, with the level (docs/fairness.md).
+With the name of a family (or the path of a scene): its forms, their work, their parameters with ranges,
 all that can be asked with symbol and unit, and a problem to paste into an exam file.
 With --structures: the structures that compose makes families of, and which families have them."""
 
@@ -43,6 +44,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Print names, titles and forms, or what one family offers. Raises InputError."""
+    from variantgen.exam.fairness import usual_work
     from variantgen.families.folders import family_folders
     from variantgen.families.load import family_names, load_family
     from variantgen.wording.language import load_language
@@ -60,14 +62,32 @@ def run(arguments: argparse.Namespace) -> int:
         raise InputError(Problem("of which family?", key="--figure", remedy="name it: variantgen list four_bar ..."))
     families = [load_family(name, folders) for name in family_names(folders)]
     if arguments.json:
-        rows = [{"family": f.name, "title": dict(f.titles), "forms": [n for n in f.forms if n]} for f in families]
+        rows = [
+            {
+                "family": family.name,
+                "title": dict(family.titles),
+                "forms": [name for name in family.forms if name],
+                "work": {name: usual_work(family, form, known=True) for name, form in family.forms.items()},
+            }
+            for family in families
+        ]
         say(json.dumps(rows, ensure_ascii=False, indent=2))
         return 0
     width = max(len(family.name) for family in families)
     for family in families:
-        forms = ", ".join(name for name in family.forms if name)
+        forms = ", ".join(
+            f"{name} {_work(usual_work(family, form, known=True))}".strip() for name, form in family.forms.items()
+        )
         say(f"{family.name:{width}}  {family.title(arguments.lang)}" + (f"  [{forms}]" if forms else ""))
     return 0
+
+
+def _work(found: Mapping[str, Any] | None) -> str:
+    """``43-45 medium``; nothing where it is not known."""
+    if found is None:
+        return ""
+    low, high = found["calculations"]
+    return f"{low} {found['level']}" if low == high else f"{low}-{high} {found['level']}"
 
 
 def _structures(arguments: argparse.Namespace, families: list[Family]) -> None:
@@ -126,7 +146,11 @@ def _alike(forms: list[dict[str, Any]]) -> Iterator[tuple[list[str], dict[str, A
 
 
 def _told(form: Mapping[str, Any]) -> Iterator[str]:
-    """The parameters of a form, and what it can be asked for."""
+    """The work of a form, its parameters, and what it can be asked for."""
+    if form["work"]:
+        low, high = form["work"]["calculations"]
+        span = str(low) if low == high else f"{low} to {high}"
+        yield from ("", f"work: {span} calculations ({form['work']['level']})")
     rows = [
         (f"  {name}", parameter.get("unit", ""), _values(parameter)) for name, parameter in form["parameters"].items()
     ]
