@@ -141,9 +141,9 @@ def test_a_pool_without_such_a_form_is_told() -> None:
     with pytest.raises(InputError) as caught:
         drawn_sheets(exam(problems=POOL + 'level = "hard"'), CLASS[:2])
     (problem,) = caught.value.problems
-    assert problem.key == "problem[1].work"
-    assert "spool" in problem.remedy
-    assert "rolling_wheel" in problem.remedy
+    assert (problem.key, problem.value) == ("problem[1].level", "hard")
+    assert problem.message == "no form has enough variants of 47 or more calculations"
+    assert "spool 18, rolling_wheel 30" in problem.remedy
 
 
 def test_members_that_are_not_comparable_are_named() -> None:
@@ -159,6 +159,9 @@ def test_members_that_are_not_comparable_are_named() -> None:
     ("line", "key"),
     [
         ("work = 20", "problem[1].work"),
+        ("work = [20]", "problem[1].work"),
+        ("work = [0, 20]", "problem[1].work"),
+        ("work = [20, 10001]", "problem[1].work"),
         ("work = [30, 20]", "problem[1].work"),
         ("work = [1.5, 20]", "problem[1].work"),
         ('level = "simple"', "problem[1].level"),

@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 
 from variantgen.errors import InputError, Problem, VariantgenError
 from variantgen.exam.answer_tolerances import AnswerTolerances, ToleranceScreening
-from variantgen.exam.wanted_work import MOST, WIDTH, Span, level_of
+from variantgen.exam.wanted_work import LEVELS, MOST, WIDTH, Span, level_of
 from variantgen.exam.work_samples import Sizes, WorkSample, is_kept, variant_work, work_sample
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Family, Form
@@ -245,11 +245,14 @@ def with_work(drawings: Sequence[FamilySampler], fair: FairDraws, where: str, wa
             found.append(drawing)
     if found:
         return found
+    level = next((name for name, span in LEVELS.items() if span == wanted), "")
+    bounds = f"{wanted[0]} to {wanted[1]}" if wanted[1] < MOST else f"{wanted[0]} or more"
     raise InputError(
         Problem(
-            f"no form has enough variants of {wanted[0]} to {wanted[1]} calculations",
-            key=f"{where}.work",
-            remedy="the usual ones of each form take: " + ", ".join(known),
+            f"no form has enough variants of {bounds} calculations",
+            key=f"{where}.{'level' if level else 'work'}",
+            value=level,
+            remedy="usual variants take: " + ", ".join(known) + "; variantgen list tells those of other families",
         )
     )
 
