@@ -10,7 +10,7 @@ import pytest
 
 from variantgen.cli import main
 from variantgen.exam.exam_file import parse_exam
-from variantgen.families.load import family_names
+from variantgen.families.folders import family_names
 
 # A crank of 20 cm at 30 degrees and a rod of 50 cm to a slider on the axis x; 2 rad/s.
 CRANK = """
@@ -65,10 +65,10 @@ def test_the_work_of_each_form(capsys):
     assert main(["list"]) == 0
     lines = {line.split()[0]: line for line in capsys.readouterr().out.splitlines()}
     assert lines["spool"].endswith("[18 easy]")
-    assert lines["rolling_wheel"].endswith("[29-30 easy]")
-    assert "[central 43-45 medium, " in lines["slider_crank"]
+    assert lines["rolling_wheel"].endswith("[30 easy]")
+    assert "[central 44 medium, " in lines["slider_crank"]
     assert main(["list", "spool"]) == 0
-    assert "work: 18 calculations (easy)\n" in capsys.readouterr().out
+    assert "work: some 18 calculations (easy)\n" in capsys.readouterr().out
 
 
 def test_the_document_of_a_family(capsys):

@@ -10,7 +10,7 @@ from itertools import pairwise, permutations
 from typing import Any
 
 from variantgen.errors import InputError
-from variantgen.exam.fairness import usual_work
+from variantgen.exam.work_samples import usual_work
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Family, Form
 from variantgen.families.parameter import Parameter

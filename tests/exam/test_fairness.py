@@ -15,6 +15,7 @@ from variantgen.errors import InputError
 from variantgen.exam.allocation import ProblemSampler
 from variantgen.exam.exam_file import Exam, parse_exam
 from variantgen.exam.fairness import band_of, shortages, uneven_pools
+from variantgen.exam.kept_work import WorkSample
 from variantgen.exam.packing import pack, unpack
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
@@ -69,9 +70,9 @@ def test_a_system_counts_once_with_its_elimination() -> None:
     assert work_of([x, y]) == Work(lines=2, operations=9, functions=0, systems=1, negatives=0, obtuse=0, coriolis=0)
 
 
-def works(*counts: tuple[int, int, int]) -> Counter[tuple[int, int, int]]:
+def works(*counts: tuple[int, int, int]) -> WorkSample:
     """So many works of calculations with so many negative numbers: (count, calculations, negatives)."""
-    return Counter({(size, negatives, 0): count for count, size, negatives in counts})
+    return WorkSample(Counter({(size, negatives, 0): count for count, size, negatives in counts}), 48)
 
 
 def test_the_band_is_the_fullest_of_its_width() -> None:

@@ -21,18 +21,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.errors import InputError, Problem, VariantgenError
+from variantgen.errors import InputError, Problem
 from variantgen.exam.answer_tolerances import AnswerTolerances, ToleranceScreening
-from variantgen.exam.wanted_work import LEVELS, MOST, WIDTH, Span, level_of
-from variantgen.exam.work_samples import Sizes, WorkSample, is_kept, variant_work, work_sample
-from variantgen.families.asking import read_ask
+from variantgen.exam.kept_work import Sizes, WorkSample
+from variantgen.exam.wanted_work import LEVELS, MOST, Span
+from variantgen.exam.work_samples import variant_work, work_sample
 from variantgen.families.family import Family, Form
 from variantgen.families.quantities import Quantity, motion_order
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Frame
 from variantgen.methods.hand.work import Work
 from variantgen.variants.draw import FamilySampler
-from variantgen.variants.examined import examined
 from variantgen.variants.printed_data import max_distinct_problems
 from variantgen.variants.screening import Values
 from variantgen.variants.variant import Variant, solve_variants
@@ -112,7 +111,7 @@ class FairDraws:
         own = ("band", *key, self.width, self.wanted)
         if own not in form.remembered:
             of = round(sample.valid * max_distinct_problems(form, asked))
-            form.remembered[own] = band_of(sample.works, self.width, of, self.wanted)
+            form.remembered[own] = band_of(sample, self.width, of, self.wanted)
         found: Band = form.remembered[own]
         return found
 
@@ -163,19 +162,18 @@ class _FairScreening:
         return {**screens, "work as usual for the problem": fair}
 
 
-def band_of(works: Counter[Sizes], width: float, of: int, wanted: Span | None = None) -> Band:
+def band_of(sample: WorkSample, width: float, of: int, wanted: Span | None = None) -> Band:
     """The narrowest band, of the wanted width or of a multiple, that leaves enough room of ``of`` variants.
 
     Where calculations are ``wanted`` to lie between two numbers, so does the band.
     """
-    total = works.total()
-    median = float(np.median([size for size, _, _ in works.elements()])) if works else 0.0
+    works, median = sample.works, sample.median
     for times in _WIDTHS:
         found = _fullest(works, times * width, median, wanted or (0, MOST))
         if found is None:
             break
         inside, spans = found
-        share = inside / total
+        share = inside / works.total()
         if share * of >= ROOM and share >= _SHARE:
             return Band(*spans, median, share, round(share * of), of, widened=times > 1.0)
     return Band(None, (0, 0), (0, 0), median, 1.0, of, of, widened=True)
@@ -208,23 +206,6 @@ def _fullest(
     # What the sample happens not to have of a span is as good; its least calculations are those of a variant.
     calculations, negatives, obtuse = zip(starts[best].tolist(), ends[best].tolist(), strict=True)
     return most, (calculations, negatives, obtuse)
-
-
-def usual_work(family: Family, form: Form, known: bool = False) -> dict[str, Any] | None:
-    """The calculations of usual variants of a form, from the fewest to the most, and its level, as plain data.
-
-    None where no solution leads to what it asks, where it has no variants, and where this must be ``known`` without
-    drawing any and is not.
-    """
-    asked = examined(form, read_ask(form))
-    if known and not is_kept(family, form, asked):
-        return None
-    try:
-        band = FairDraws(WIDTH, AnswerTolerances()).band(family, form, asked)
-    except VariantgenError:  # said where variants are drawn
-        return None
-    span = band.calculations or (round(band.median),) * 2
-    return {"calculations": list(span), "level": level_of(band.usual)} if span[1] else None
 
 
 def with_work(drawings: Sequence[FamilySampler], fair: FairDraws, where: str, wanted: Span) -> list[FamilySampler]:

@@ -39,6 +39,18 @@ async def read_json(request: Request) -> dict[str, Any]:
     return found
 
 
+async def read_upload(request: Request, most: int) -> bytes:
+    """A file that is sent as the whole body. Raises InputError for an empty or too large one."""
+    content = bytearray()
+    async for piece in request.stream():
+        content += piece
+        if len(content) > most:
+            raise InputError(Problem(f"is larger than {most // 1_000_000} MB", remedy="bring a smaller file"))
+    if not content:
+        raise InputError(Problem("the file is empty"))
+    return bytes(content)
+
+
 def _no_number(name: str) -> None:
     """NaN and infinities, which Python reads as numbers of JSON."""
     raise ValueError(name)

@@ -7,8 +7,9 @@ import threading
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
-from typing import TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from variantgen.errors import InputError, Problem
 from variantgen.studio.builds import Builds
@@ -16,6 +17,9 @@ from variantgen.studio.documents.document import Document
 from variantgen.studio.events import Events
 from variantgen.studio.preview import Previews
 from variantgen.studio.workspace import Workspace
+
+if TYPE_CHECKING:
+    from variantgen.studio.roster.table import ClassTables
 
 T = TypeVar("T")
 _WATCH_SECONDS = 1.0
@@ -57,6 +61,13 @@ class Studio:
                 journal = self.workspace.state("journals", key)
                 self._documents[path] = Document(key, path, self.workspace.folder, journal)
             return self._documents[path]
+
+    @cached_property
+    def class_tables(self) -> ClassTables:
+        """The table of a class that was brought to the page Roster."""
+        from variantgen.studio.roster.table import ClassTables
+
+        return ClassTables(self.workspace)
 
     async def draw(self, work: Callable[[], T]) -> T:
         """Do work on the thread of figures."""

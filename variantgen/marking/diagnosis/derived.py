@@ -79,6 +79,11 @@ class DerivedMotion:
         full: dict[str, Any] = {asked.kind: {**getattr(self._motion, asked.kind), asked.target: own}}
         return np.ravel(asked.value(replace(self._motion, **full)))
 
+    def in_proportion(self, body: str) -> Candidates:
+        """The angular velocity of a body, right and in proportion to each wrong velocity; of a driven one the right."""
+        factors = np.array([1.0] if body in self._driven else self._factors, dtype=np.complex128)
+        return factors * complex(self.omega[body][0])
+
     def _table(self, kind: str) -> dict[str, Candidates]:
         """The candidates of a kind of quantity, by point or body."""
         tables = {"v": self.v, "a": self.a, "omega": self.omega, "epsilon": self.epsilon, "v_rel": self.v_rel}

@@ -11,6 +11,6 @@ from __future__ import annotations
 
 from types import ModuleType
 
-from variantgen.studio.pages import archive, build, choose, compose, exams, previews
+from variantgen.studio.pages import archive, build, choose, compose, exams, play, previews, roster
 
-PAGES: tuple[ModuleType, ...] = (exams, choose, compose, previews, build, archive)
+PAGES: tuple[ModuleType, ...] = (exams, choose, compose, previews, roster, build, archive, play)
