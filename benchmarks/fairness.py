@@ -18,7 +18,8 @@ from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.exam.fairness import Band, FairDraws
 from variantgen.exam.wanted_work import WIDTH
 from variantgen.families.family import Family
-from variantgen.families.load import family_names, load_family
+from variantgen.families.folders import family_names
+from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.methods.compose import solution
 from variantgen.methods.hand.work import Work, work_of

@@ -24,14 +24,15 @@ import numpy as np
 from variantgen.exam.sheets import Answer, answer_variants
 from variantgen.exam.tolerance import Tolerance
 from variantgen.families.asking import read_ask
-from variantgen.families.load import family_names, load_family
+from variantgen.families.folders import family_names
+from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
-from variantgen.marking.causes import Comparisons, cause_of
-from variantgen.marking.follow_through import FollowThrough
+from variantgen.marking.diagnosis.causes import Comparisons, cause_of
+from variantgen.marking.diagnosis.follow_through import FollowThrough
+from variantgen.marking.diagnosis.neighbours import Neighbours
+from variantgen.marking.diagnosis.plausible_mistakes import OfProblem, of_batch
 from variantgen.marking.key import is_right, scale
 from variantgen.marking.marks import Verdict, verdict_of
-from variantgen.marking.neighbours import Neighbours
-from variantgen.marking.plausible_mistakes import OfProblem, of_batch
 from variantgen.methods.hand.following import FollowingSteps
 from variantgen.variants.draw import draw
 from variantgen.variants.variant import Variant

@@ -10,7 +10,8 @@ import pytest
 
 from variantgen.check.family import check_family
 from variantgen.families.expressions import FamilyExpression
-from variantgen.families.load import family_names, load_family
+from variantgen.families.folders import family_names
+from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
 from variantgen.figure.arrow_faults import inspect_arrows
 from variantgen.figure.build import statement_figure

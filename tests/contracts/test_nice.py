@@ -10,7 +10,8 @@ import pytest
 
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Family
-from variantgen.families.load import family_names, load_family
+from variantgen.families.folders import family_names
+from variantgen.families.load import load_family
 from variantgen.families.nice import hand_friendly
 from variantgen.families.quantities import Quantity
 from variantgen.families.restrict import restrict

@@ -8,8 +8,21 @@ from typing import Any
 from starlette.requests import Request
 
 from variantgen.errors import InputError, Problem
+from variantgen.studio.documents.document import Document
+from variantgen.studio.studio import Studio
 
 WINDOW = 40  # letters of the name of a window
+
+
+def studio_of(request: Request) -> Studio:
+    """The studio that a request is to."""
+    found: Studio = request.app.state.studio
+    return found
+
+
+def document_of(request: Request) -> Document:
+    """The exam that an address names. Raises UnknownKeyError."""
+    return studio_of(request).document(request.path_params["exam"])
 
 
 async def read_json(request: Request) -> dict[str, Any]:
@@ -24,6 +37,18 @@ async def read_json(request: Request) -> dict[str, Any]:
     if not isinstance(found, dict):
         raise InputError(Problem("expected a table"))
     return found
+
+
+async def read_upload(request: Request, most: int) -> bytes:
+    """A file that is sent as the whole body. Raises InputError for an empty or too large one."""
+    content = bytearray()
+    async for piece in request.stream():
+        content += piece
+        if len(content) > most:
+            raise InputError(Problem(f"is larger than {most // 1_000_000} MB", remedy="bring a smaller file"))
+    if not content:
+        raise InputError(Problem("the file is empty"))
+    return bytes(content)
 
 
 def _no_number(name: str) -> None:

@@ -11,8 +11,6 @@ from variantgen.studio.documents.document import Document
 from variantgen.studio.studio import Studio
 from variantgen.studio.words import PageWords
 
-USUAL_CLASS = 30  # numbered variants where there is no roster
-
 
 def problems_of(document: Document) -> list[Mapping[str, Any]]:
     """The tables of the problems of an exam, as the file has them."""

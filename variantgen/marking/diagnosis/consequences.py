@@ -3,7 +3,7 @@
 A follow-through is granted only where the steps of the solution and one of these agree:
 
 - all velocities in proportion to the wrong one, as if it were the given motion of a mechanism with one freedom;
-- what theorems make of the wrong numbers and right ones (:mod:`variantgen.marking.derived`);
+- what theorems make of the wrong numbers and right ones (:mod:`variantgen.marking.diagnosis.derived`);
 - for a point C that slides along a line of a body through its point A, with the components along and across the line of
   ``v_C = v_A + omega x r + v_rel`` and ``a_C = a_A + epsilon x r - omega^2 r + 2 omega x v_rel + a_rel``;
 - for centres ``PA = v_A / omega``, ``QA = a_A / sqrt(epsilon^2 + omega^4)``, ``tan mu = |epsilon| / omega^2``;
@@ -12,6 +12,7 @@ A follow-through is granted only where the steps of the solution and one of thes
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from itertools import product
@@ -20,7 +21,7 @@ from typing import Any
 import numpy as np
 
 from variantgen.families.quantities import Quantity
-from variantgen.marking.derived import DerivedMotion
+from variantgen.marking.diagnosis.derived import DerivedMotion
 from variantgen.mechanism.arithmetic import cross, dot
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.relative import relative_motion, sliding_points
@@ -28,7 +29,7 @@ from variantgen.mechanism.rows import Speeds
 from variantgen.mechanism.solve import Equations
 from variantgen.variants.variant import Variant
 
-_MOST = 1024  # mixtures of right and wrong rates
+_MOST = 20000  # mixtures of right and wrong rates
 _SAME = 1e-6  # relative
 
 
@@ -162,15 +163,19 @@ def _shown(asked: Quantity, rate: float) -> float:
 
 def _by_solver(variant: Variant, motion: Motion, derived: DerivedMotion, asked: Quantity, number: float) -> bool:
     """Whether the solver finds the number where rates are wrong as they follow from wrong answers, in every mixture."""
-    carriers: list[tuple[str, str]] = [("omega", body) for body in derived.omega if derived.omega[body].size > 1]
+    rates = {body: own if own.size > 1 else derived.in_proportion(body) for body, own in derived.omega.items()}
+    carriers: list[tuple[str, str]] = [("omega", body) for body in rates if rates[body].size > 1]
     slid = {point: motion.v[point] - own[0] + own for point, own in derived.v_rel.items()}  # beside the right carrier
     velocities = {**{point: derived.v[point] for point in derived.given}, **slid}
     carriers += [("v", point) for point in sorted(velocities) if velocities[point].size > 1]
     if not carriers:
         return False
-    each = max(int(_MOST ** (1 / len(carriers))), 2)  # candidates of each
-    tables = {"omega": derived.omega, "v": velocities}
-    rows = list(product(*(tables[kind][name][:each] for kind, name in carriers)))[:_MOST]
+    tables = {"omega": rates, "v": velocities}
+    lists = [tables[kind][name] for kind, name in carriers]
+    while math.prod(map(len, lists)) > _MOST:  # the first candidates are those that the fewest theorems make
+        longest = max(range(len(lists)), key=lambda k: len(lists[k]))
+        lists[longest] = lists[longest][:-1]
+    rows = list(product(*lists))
     chosen = np.array(rows)[..., None]  # by combination, by carrier, over a batch of one
     omega = {body: np.broadcast_to(x, (len(rows), 1)) for body, x in motion.omega.items()}
     v = {point: np.broadcast_to(x, (len(rows), 1)) for point, x in motion.v.items()}

@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.families.quantities import Quantity
-from variantgen.marking.candidates import SMALL, Candidates, each, few, projecting, without_noise
+from variantgen.marking.diagnosis.candidates import SMALL, Candidates, each, few, projecting, without_noise
 from variantgen.mechanism.arithmetic import cross
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.relative import relative_motion, sliding_points
@@ -78,6 +78,11 @@ class DerivedMotion:
         own = own if asked.kind in "va" else own.real
         full: dict[str, Any] = {asked.kind: {**getattr(self._motion, asked.kind), asked.target: own}}
         return np.ravel(asked.value(replace(self._motion, **full)))
+
+    def in_proportion(self, body: str) -> Candidates:
+        """The angular velocity of a body, right and in proportion to each wrong velocity; of a driven one the right."""
+        factors = np.array([1.0] if body in self._driven else self._factors, dtype=np.complex128)
+        return factors * complex(self.omega[body][0])
 
     def _table(self, kind: str) -> dict[str, Candidates]:
         """The candidates of a kind of quantity, by point or body."""
