@@ -255,7 +255,8 @@ def test_a_neighbours_answers_follow_from_nothing(
     copied: int, built: Path, mark: Mark, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Though each follows from the first: three are too many for chance, and of two the suspicion stays."""
-    monkeypatch.setattr(FollowThrough, "granted", lambda *given: {place: [0] for place in given[-1] if place})
+    granted = lambda _, students: [{place: [0] for place in wrong if place} for *_, wrong in students]  # noqa: E731
+    monkeypatch.setattr(FollowThrough, "granted_to", granted)
     right = key(built)
     first, second, _ = order(built)
     names = ("v_B", "omega_AB", "a_B")[:copied]

@@ -14,7 +14,7 @@ from playwright.sync_api import expect
 from tests.studio.conftest import EXAM, Visit
 
 Open = Callable[..., Visit]
-PAGES = ("/?all", "/exam/choose", "/exam/compose", "/exam/roster", "/exam/build")
+PAGES = ("/?all", "/exam/choose", "/exam/compose", "/exam/roster", "/exam/build", "/exam/play")
 
 
 def saved(visit: Visit, name: str = "exam") -> dict[str, Any]:
@@ -199,3 +199,34 @@ def test_answers_that_refuse_hold_nothing_up(visit: Open) -> None:
     page.unroute("**/exam/edit")
     page.get_by_text("17\N{NO-BREAK SPACE}points").first.wait_for()
     assert saved(window)["problem"][0]["points"] == 12 and page.locator("#offline").is_hidden()
+
+
+def test_a_mechanism_is_played(visit: Open) -> None:
+    """By slider, by keys, by time; the problem of the exam first, then another mechanism by sight."""
+    window = visit()
+    page = window.open("/exam/play")
+    now, slider = page.locator("#now"), page.get_by_role("slider", name="Position of the driver")
+    expect(page.get_by_role("heading", name="Four-bar linkage")).to_be_visible()
+    given = now.inner_text()
+    page.keyboard.press("Home")
+    expect(now).to_have_text("φ = 0°")
+    page.keyboard.press("Shift+ArrowRight")
+    expect(now).to_have_text("φ = 10°")
+    expect(slider).to_have_attribute("aria-valuetext", "10°")
+    at_ten = page.locator("#curves output").all_inner_texts()
+    page.keyboard.press("Space")
+    expect(now).to_have_text(re.compile(r"φ = [1-3]\d\d°"))
+    page.get_by_role("button", name="Stop").click()
+    assert page.locator("#curves output").all_inner_texts() != at_ten
+    page.keyboard.press("4")
+    expect(page.locator("#scene path.centrode")).to_be_visible()
+    page.get_by_role("button", name="Next variant").click()
+    page.wait_for_url("**/exam/play?problem=1&student=2")
+    expect(page.locator("#label")).to_have_text("Problem 1, Variant 2")
+    assert given.startswith("φ = ")
+    page.get_by_role("button", name="Other mechanism").click()
+    page.get_by_role("searchbox").fill("wheel racks")
+    page.locator(".tiles a:visible").click()
+    page.wait_for_url("**/exam/play?family=wheel_between_racks**")
+    expect(page.locator("#label")).to_have_text("Variant 11")
+    assert window.complaints == []

@@ -93,6 +93,9 @@ def specimen(workspace: Workspace, family: str, form: str, seed: int, language: 
     ]
     return {
         "title": variant.family.title(language),
+        "family": family,
+        "form": name,
+        "seed": seed,
         "figure": f"/figure/{family}/{form}/{seed}.svg?lang={language}&v={hash_of(figure)}",
         "text": markup(said.text),
         "given": [markup([equation]) for equation in said.given],

@@ -99,7 +99,7 @@ def csv_rows(rows: Iterable[Sequence[object]]) -> str:
 
 def safe_cell(text: str) -> str:
     """A text with an apostrophe where a spreadsheet would run it."""
-    return _FORMULA.sub(r"\1'", text)
+    return text if text.isalnum() else _FORMULA.sub(r"\1'", text)
 
 
 def manifest_frame(

@@ -39,7 +39,7 @@ async def shown_cards(request: Request) -> Response:
     studio, language = studio_of(request), language_of(request)
     found = await run_in_threadpool(cards, studio.workspace)
     starred = stars(studio)
-    shown = [_shown(card, language, starred) for card in found]
+    shown = [shown_card(card, language, starred) for card in found]
     counts = {
         name: sum(name in card["topics"] or name in card["kinds"] for card in shown) for name in (*TOPICS, *KINDS)
     }
@@ -112,7 +112,7 @@ def _name(card: dict[str, Any]) -> str:
     return f"{card['family']}/{card['form'] or ONLY}"
 
 
-def _shown(card: dict[str, Any], language: str, starred: set[str]) -> dict[str, Any]:
+def shown_card(card: dict[str, Any], language: str, starred: set[str]) -> dict[str, Any]:
     """A card in a language, with the words that it is found by in all of them."""
     several = card["forms"] > 1
     texts = [card["family"].replace("_", " "), card["form"].replace("_", " ")]
