@@ -14,7 +14,7 @@ from playwright.sync_api import expect
 from tests.studio.conftest import EXAM, Visit
 
 Open = Callable[..., Visit]
-PAGES = ("/?all", "/exam/choose", "/exam/compose", "/exam/roster", "/exam/build", "/exam/play")
+PAGES = ("/?all", "/exam/choose", "/exam/compose", "/exam/roster", "/exam/build", "/exam/mark", "/exam/play")
 
 
 def saved(visit: Visit, name: str = "exam") -> dict[str, Any]:

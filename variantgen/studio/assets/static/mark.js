@@ -24,6 +24,8 @@ async function piece(place, address, signal) {
 }
 async function showList() {
   await piece(list, `/${exam}/mark/list?${asked()}`);
+  const marked = list.querySelector("[data-marked]").dataset.marked;
+  if (!$("which")?.selectedIndex) all("[data-under=mark]", document.body).forEach(place => { place.textContent = marked; });  // of the last build
   mark();
 }
 function mark() {
