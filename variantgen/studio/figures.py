@@ -46,8 +46,13 @@ def _drawn(workspace: Workspace, family: str, form: str, seed: int, language: st
     return figure_of(one_variant(family, seed=str(seed), form=form, folders=own_folders(workspace, family)), language)
 
 
-def figure_of(variant: Variant, language: str, ask: Sequence[str] = ()) -> str:
-    """The figure of a variant for what is asked (nothing: what its form asks)."""
+def figure_of(variant: Variant, language: str) -> str:
+    """The figure of a variant as an image of its own."""
+    return styled(drawn(variant, language))
+
+
+def drawn(variant: Variant, language: str, ask: Sequence[str] = ()) -> str:
+    """The figure of a variant for what is asked (nothing: what its form asks), in the style of the page around it."""
     from variantgen.figure.build import statement_figure
     from variantgen.outputs.figures.svg import svg
     from variantgen.single import asked_quantities
@@ -56,7 +61,7 @@ def figure_of(variant: Variant, language: str, ask: Sequence[str] = ()) -> str:
 
     asked = asked_quantities(variant, ask)
     drawing = statement_figure(variant, solve_variants([variant], 0), 0, asked, load_language(language))
-    return styled(svg(drawing))
+    return svg(drawing)
 
 
 def styled(text: str) -> str:

@@ -71,6 +71,8 @@ def _on_block(draft: Draft, link: Link, other: int) -> Attachment:
     draft.polar(point, link.start, distance, angle, {"towards": end, "angle": f"{turn}*deg"})
     slot = next(fields for kind, fields in draft.joints if kind == "slot" and fields["point"] == link.start)
     slot["sleeve"] = body
+    if start in draft.hints.get("hidden", ()):
+        return Attachment(point, "arm_across_groove", facts, link.start)
     return Attachment(point, "arm_across", facts | {"bar": start + end}, link.start)
 
 
