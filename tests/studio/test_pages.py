@@ -16,15 +16,6 @@ from tests.studio.conftest import EXAM, Visit
 Open = Callable[..., Visit]
 NAMES = ("choose", "compose", "roster", "build", "mark", "play", "author")
 PAGES = ("/?all", *(f"/exam/{name}" for name in NAMES))
-    "/?all",
-    "/exam/choose",
-    "/exam/compose",
-    "/exam/roster",
-    "/exam/build",
-    "/exam/mark",
-    "/exam/play",
-    "/exam/author",
-)
 
 
 def saved(visit: Visit, name: str = "exam") -> dict[str, Any]:
