@@ -14,7 +14,8 @@ from playwright.sync_api import expect
 from tests.studio.conftest import EXAM, Visit
 
 Open = Callable[..., Visit]
-PAGES = ("/?all", "/exam/choose", "/exam/compose", "/exam/roster", "/exam/build", "/exam/play", "/exam/author")
+NAMES = ("choose", "compose", "roster", "build", "mark", "play", "author")
+PAGES = ("/?all", *(f"/exam/{name}" for name in NAMES))
 
 
 def saved(visit: Visit, name: str = "exam") -> dict[str, Any]:
