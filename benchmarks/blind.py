@@ -15,7 +15,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from variantgen.errors import InputError
-from variantgen.exam.composed import shuffled, write
+from variantgen.exam.composed import write
+from variantgen.exam.composed_pools import shuffled
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Family
 from variantgen.families.folders import family_names

@@ -60,6 +60,17 @@ def test_a_family_with_its_forms(capsys):
     assert '[[problem]]\nfamily = "slider_crank"\n' in out
 
 
+def test_the_work_of_each_form(capsys):
+    """18 calculations for the spool and 30 for the wheel are counted on paper, as in test_fairness."""
+    assert main(["list"]) == 0
+    lines = {line.split()[0]: line for line in capsys.readouterr().out.splitlines()}
+    assert lines["spool"].endswith("[18 easy]")
+    assert lines["rolling_wheel"].endswith("[30 easy]")
+    assert "[central 44 medium, " in lines["slider_crank"]
+    assert main(["list", "spool"]) == 0
+    assert "work: some 18 calculations (easy)\n" in capsys.readouterr().out
+
+
 def test_the_document_of_a_family(capsys):
     assert main(["list", "slider_crank", "--json"]) == 0
     found = json.loads(capsys.readouterr().out)

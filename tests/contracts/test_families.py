@@ -131,7 +131,7 @@ def ends_at(place: complex, label: Label) -> bool:
 def arcs_and_labels(figure: Drawing) -> list[tuple[Arc, Label]]:
     """The arcs of given rotation, each with the label that is nearest to it."""
     arcs = [line for line in figure.lines if isinstance(line, Arc) and line.layer == Layer.VECTOR]
-    labels = [label for label in figure.labels if to_plain(label.formula)[0] in "ωα"]
+    labels = [x for x in figure.labels if to_plain(x.formula)[0] in "ωα" and x.at.imag > figure.graphs]
     assert len(arcs) == len(labels)
 
     def gap(arc: Arc, label: Label) -> float:

@@ -83,7 +83,8 @@ def parts(modules: set[str]) -> set[str]:
 
 def test_list_checks_no_family_of_the_catalogue() -> None:
     own, packages = loaded(["list"])
-    assert parts(own) <= NOTHING_ELSE | {"families", "letters", "limits", "resources", "tables", "wording"}
+    assert parts(own) <= NOTHING_ELSE | {"exam", "families", "letters", "limits", "resources", "tables", "wording"}
+    assert {name for name in own if name.startswith("exam.")} == {"exam.kept_work", "exam.wanted_work"}
     assert "families.load" not in own
     assert not packages
 

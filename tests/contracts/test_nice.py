@@ -32,7 +32,8 @@ NONE = {("guided_plate", ""), ("three_rod_plate", ""), ("wheel_with_rod", "drive
 # sides of their triangles has a factor 11, 13, ... in its denominator, so answers are decimals.
 DECIMALS = {
     ("falling_rod", ""), ("slider_crank", "driven_by_slider"), ("quick_return_shaper", ""),
-    ("wheel_with_rod", "central"),
+    ("wheel_with_rod", "central"), ("limit_positions", "slider"), ("limit_positions", "rocker"),
+    ("slider_crank_with_graph", "read"), ("slider_crank_with_graph", "sketch"),
 }  # fmt: skip
 SOURCES = {
     "rolling_wheel", "ladder", "four_bar", "slider_crank", "slider_crank_with_second_rod", "planetary_pair", "spool",

@@ -11,8 +11,9 @@ import pytest
 
 from variantgen.exam import work_samples
 from variantgen.exam.answer_tolerances import AnswerTolerances
+from variantgen.exam.kept_work import KEPT, WorkSample
 from variantgen.exam.tolerance import Tolerance
-from variantgen.exam.work_samples import KEPT, WorkSample, catalogue_forms, kept_line, work_sample
+from variantgen.exam.work_samples import catalogue_forms, kept_line, work_sample
 from variantgen.families.asking import read_ask
 from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict

@@ -15,12 +15,12 @@ import json
 import sys
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from functools import cache
-from pathlib import Path
+from typing import Any
 
-from variantgen.errors import InputError
+from variantgen.errors import InputError, VariantgenError
 from variantgen.exam.answer_tolerances import AnswerTolerances
+from variantgen.exam.kept_work import KEPT, SAMPLE, WorkSample, kept_samples
+from variantgen.exam.wanted_work import level_of
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Family, Form
 from variantgen.families.files import FAMILY
@@ -37,39 +37,30 @@ from variantgen.variants.examined import examined
 from variantgen.variants.seeding import Stream
 from variantgen.variants.variant import Variant, solve_variants
 
-KEPT = Path(__file__).with_name("work_samples.json")
-_SAMPLE = 48  # variants of a form
-
-Sizes = tuple[int, int, int]  # calculations, negative numbers, obtuse angles
-
-
-@dataclass(frozen=True)
-class WorkSample:
-    """How many variants of a sample take so much work, and the number of draws ``of`` which they are the valid ones.
-
-    ``works`` is empty where a form has no valid variant, and where no method leads to what is asked.
-    """
-
-    works: Counter[Sizes]
-    of: int
-
-    @property
-    def valid(self) -> float:
-        """The part of the draws that is valid."""
-        return _SAMPLE / self.of if self.of else 0.0
-
 
 def work_sample(family: Family, form: Form, asked: Sequence[Quantity], screening: AnswerTolerances) -> WorkSample:
     """The sample of a form for what its draws are examined on: the kept one, or a new one."""
-    kept = _kept().get(_key(family, form, asked, screening))
+    kept = kept_samples().get(_key(family, form, asked, screening))
     return kept or drawn_sample(family, form, asked, screening)
+
+
+def usual_work(family: Family, form: Form) -> dict[str, Any] | None:
+    """The calculations of a usual variant of a form for what it asks by itself, and its level, as plain data.
+
+    None where there are no variants, and where no solution leads to what is asked.
+    """
+    try:
+        found = work_sample(family, form, examined(form, read_ask(form)), AnswerTolerances()).median
+    except VariantgenError:  # said where variants are drawn
+        return None
+    return {"calculations": found, "level": level_of(found)} if found else None
 
 
 def drawn_sample(family: Family, form: Form, asked: Sequence[Quantity], screening: AnswerTolerances) -> WorkSample:
     """A sample that is drawn and worked out."""
     sampler = FormSampler(family, form, asked, RejectionCounts(), family.name, screening)
     try:
-        attempts = sampler.many(Stream("work", family.name, form.name), _SAMPLE, by_hand=True)
+        attempts = sampler.many(Stream("work", family.name, form.name), SAMPLE, by_hand=True)
     except InputError:  # the draw of the students' variants says it, with their keys
         return WorkSample(Counter(), 0)
     variants = [sampler.variant(attempts, place) for place in range(attempts.number.size)]
@@ -91,17 +82,6 @@ def variant_work(variant: Variant, motion: Motion, place: int, asked: Sequence[Q
         return None
     except VerificationError:  # that is said of a variant when it is handed out
         return None
-
-
-@cache
-def _kept() -> dict[str, WorkSample]:
-    """The kept samples by their keys."""
-    return {
-        item["key"]: WorkSample(
-            Counter({(size, negatives, obtuse): n for n, size, negatives, obtuse in item["works"]}), item["of"]
-        )
-        for item in json.loads(KEPT.read_text("utf-8"))
-    }
 
 
 def _key(family: Family, form: Form, asked: Sequence[Quantity], screening: AnswerTolerances) -> str:
@@ -133,9 +113,15 @@ def kept_line(family: Family, form: Form, asked: Sequence[Quantity]) -> str:
     """A line of the file, with a new sample."""
     screening = AnswerTolerances()
     sample = drawn_sample(family, form, asked, screening)
-    described = f"{family.name} {form.name}".strip() + ": " + ", ".join(quantity.name for quantity in asked)
-    works = [[count, *sizes] for sizes, count in sorted(sample.works.items())]
-    return json.dumps({"form": described, "key": _key(family, form, asked, screening), "of": sample.of, "works": works})
+    line = {
+        "family": family.name,
+        "form": form.name,
+        "asked": ", ".join(quantity.name for quantity in asked),
+        "key": _key(family, form, asked, screening),
+        "of": sample.of,
+        "works": [[count, *sizes] for sizes, count in sorted(sample.works.items())],
+    }
+    return json.dumps(line)
 
 
 def main() -> None:

@@ -17,6 +17,7 @@ from variantgen.families.folders import Folders, family_names, file_of
 from variantgen.families.form_reader import SECTIONS, FormReader
 from variantgen.families.length_units import check_length_unit
 from variantgen.families.method_names import check_methods
+from variantgen.families.rate_graphs import read_from_graph
 from variantgen.families.repeated import reported_once
 from variantgen.families.sketches import check_sketch
 from variantgen.families.units import unit
@@ -113,9 +114,11 @@ def parse_family(data: dict[str, Any], path: Path) -> Family:
         if form is not None:
             forms[name] = form
     _check_symbols(forms, problems)
-    for form in forms.values() if not problems else ():
+    for name, form in forms.items() if not problems else ():
         with top.collecting(""):
             check_sketch(form, form.figure.sketch, "figure.sketch")
+            if form.figure.graph:
+                forms[name] = read_from_graph(form, form.figure.graph)
     if problems:
         raise InputError(reported_once(problems, overlays))
     is_family = path.name == FAMILY

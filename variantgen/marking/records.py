@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
+from functools import lru_cache
 from pathlib import Path
 
 from variantgen.exam.manifest import Manifest
@@ -59,6 +60,7 @@ def without_words(marked: Marked) -> Marked:
     return replace(marked, marks=tuple(found))
 
 
+@lru_cache(maxsize=1000)
 def shown(points: Fraction) -> str:
     """Points as a decimal number of at most four places."""
     return f"{float(points):.4f}".rstrip("0").rstrip(".")

@@ -26,8 +26,8 @@ MANIFEST = "manifest.json"
 USUAL_CLASS = 30  # numbered variants where there is no roster
 # Words that begin the addresses of other things than exams.
 _TAKEN = frozenset(
-    {"static", "figure", "events", "author", "play", "exams", "language", "stars", "example", "families", "builds"}
-)
+    ("static", "figure", "events", "author", "play", "motion", "exams", "language", "stars", "example", "families")
+) | {BUILDS}
 _KEY = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]{0,39}")
 _NAME = re.compile(r"[^\W_][\w ()-]{0,59}", re.UNICODE)
 _PROBLEM = re.compile(r"^\s*\[\[\s*problem\s*\]\]", re.MULTILINE)

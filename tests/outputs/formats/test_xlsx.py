@@ -254,7 +254,9 @@ def test_marks_of_right_and_wrong_answers(tmp_path: Path) -> None:
     for row in grading.rows:
         number = row % len(WAYS)
         for right, typed, points in owned(grading, row, known):
-            grading.sheet.cell(row, typed).value = float(WAYS[number](right))
+            text = f"{WAYS[number](right):f}"  # with either decimal mark, by rows
+            grading.sheet.cell(row, typed).value = text.replace(".", ",") if row % 2 else text
+            assert grading.sheet.cell(row, typed).number_format == "@"  # 2.95 is no date here
             columns.append((number, right, row, points))
     found = grading.computed()
     seen = set()
@@ -359,7 +361,8 @@ def test_only_what_is_to_be_filled_in_is_open(built: Path) -> None:
     assert not any(not c.protection.locked for row in grading.answers.iter_rows() for c in row)
     checks = grading.sheet.data_validations.dataValidation
     assert {(check.type, check.operator or "between", check.showErrorMessage) for check in checks} == {
-        ("decimal", "between", True)
+        ("decimal", "between", True),
+        ("custom", "between", True),  # of answers, which are text
     }
     areas = [area for check in checks for area in check.sqref.ranges]
     for row, column in open_cells:
@@ -421,7 +424,7 @@ def test_text_is_text(students: int, tmp_path: Path, monkeypatch: pytest.MonkeyP
                 content = archive.read(part).decode()
                 formulas = re.findall(r"<f>(.*?)</f>", content)
                 assert "<hyperlink" not in content
-                assert all(re.match(r"(IF|MATCH|ROUND)\(", formula) for formula in formulas)
+                assert all(re.match(r"(IF|MATCH|ROUND|MID)\(", formula) for formula in formulas)
                 assert not any("calc" in formula or "HYPER" in formula or formula == "1" for formula in formulas)
                 assert bool(formulas) == (name == FORM and part == "xl/worksheets/sheet1.xml")
                 assert ("<is>" in content) == (students == 2 and part.startswith("xl/worksheets/"))

@@ -6,7 +6,7 @@ import argparse
 import json
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from variantgen.cli.columns import in_columns
 from variantgen.cli.exam_preview import refuse_exam
@@ -17,10 +17,13 @@ from variantgen.errors import InputError, Problem
 if TYPE_CHECKING:
     from variantgen.families.family import Family
 
+_Heading: TypeAlias = "tuple[Mapping[str, str], list[str], Mapping[str, Mapping[str, Any]]]"
+
 HELP = "list the problem families, or what a family offers"
 DESCRIPTION = """\
-List the problem families of the catalogue and of your own folders.
-With the name of a family (or the path of a scene): its forms, its parameters with their ranges,
+List the problem families of the catalogue and of your own folders: title, forms, and for those of the
+catalogue the calculations that a usual variant takes, with the level (docs/fairness.md).
+With the name of a family (or the path of a scene): its forms, their work, their parameters with ranges,
 all that can be asked with symbol and unit, and a problem to paste into an exam file.
 With --structures: the structures that compose makes families of, and which families have them."""
 
@@ -60,11 +63,14 @@ def run(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _heading(name: str, folders: tuple[Path, ...]) -> tuple[Mapping[str, str], list[str]]:
-    """The titles by language and the forms of a family.
+def _heading(name: str, folders: tuple[Path, ...]) -> _Heading:
+    """The titles of a family by language, its forms, and the work of forms of the catalogue.
 
-    One of the catalogue is only read: to check them all takes longer than everything else here, and they are right.
+    A family of the catalogue is only read: to check them all takes longer than everything else, and
+    they are right.
     """
+    from variantgen.exam.kept_work import kept_medians
+    from variantgen.exam.wanted_work import level_of
     from variantgen.families.folders import file_of
     from variantgen.resources import catalog_dir
     from variantgen.tables import read_toml
@@ -72,23 +78,35 @@ def _heading(name: str, folders: tuple[Path, ...]) -> tuple[Mapping[str, str], l
     path = file_of(name, folders)
     if path is not None and path.parent.parent == catalog_dir():
         data = read_toml(path)
-        return data["title"], list(data.get("forms", ()))
+        forms = list(data.get("forms", ()))
+        usual = {form: kept_medians().get((name, form)) for form in forms or [""]}
+        works = {form: {"calculations": n, "level": level_of(n)} for form, n in usual.items() if n}
+        return data["title"], forms, works
     from variantgen.families.load import load_family
 
     family = load_family(name, folders)
-    return family.titles, [form for form in family.forms if form]
+    return family.titles, [form for form in family.forms if form], {}
 
 
-def _all(arguments: argparse.Namespace, families: Mapping[str, tuple[Mapping[str, str], list[str]]]) -> None:
+def _all(arguments: argparse.Namespace, families: Mapping[str, _Heading]) -> None:
     """A line for each family."""
     if arguments.json:
-        rows = [{"family": name, "title": dict(titles), "forms": forms} for name, (titles, forms) in families.items()]
+        rows = [
+            {"family": name, "title": dict(titles), "forms": forms, "work": works}
+            for name, (titles, forms, works) in families.items()
+        ]
         say(json.dumps(rows, ensure_ascii=False, indent=2))
         return
     width = max(map(len, families))
-    for name, (titles, forms) in families.items():
+    for name, (titles, forms, works) in families.items():
         title = titles.get(arguments.lang) or titles.get("en") or name
-        say(f"{name:{width}}  {title}" + (f"  [{', '.join(forms)}]" if forms else ""))
+        told = ", ".join(f"{form} {_work(works.get(form))}".strip() for form in forms or [""])
+        say(f"{name:{width}}  {title}" + (f"  [{told}]" if told else ""))
+
+
+def _work(found: Mapping[str, Any] | None) -> str:
+    """``44 medium``; nothing where it is not known."""
+    return "" if found is None else f"{found['calculations']:g} {found['level']}"
 
 
 def _structures(arguments: argparse.Namespace, folders: tuple[Path, ...]) -> None:
@@ -152,7 +170,9 @@ def _alike(forms: list[dict[str, Any]]) -> Iterator[tuple[list[str], dict[str, A
 
 
 def _told(form: Mapping[str, Any]) -> Iterator[str]:
-    """The parameters of a form, and what it can be asked for."""
+    """The work of a form, its parameters, and what it can be asked for."""
+    if form["work"]:
+        yield from ("", f"work: some {form['work']['calculations']:g} calculations ({form['work']['level']})")
     rows = [
         (f"  {name}", parameter.get("unit", ""), _values(parameter)) for name, parameter in form["parameters"].items()
     ]

@@ -8,7 +8,7 @@ give a share of the points (see :mod:`variantgen.exam.marking_policy`), and neve
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from variantgen.exam.sheets import Answer
@@ -55,61 +55,67 @@ class Comparisons:
 
 def cause_of(value: float, answer: Answer, around: Comparisons) -> Cause:
     """The likeliest cause of a wrong value (in the unit of the answer)."""
-    best, least = OTHER, math.inf
-    for cause, result in _every(answer, around):
-        distance = _distance(value, result, answer)
+    distance_to = _distances(value, answer)
+    best, least = OTHER, 1.0 + _TIED
+    for name, detail, result in _every(answer, around):
+        distance = distance_to(result)
         if distance <= 1.0 and distance < least - _TIED and not is_right(answer, result):
-            best, least = cause, distance  # a mistake that leads to what is right all the same is none
-    if least <= 1.0:
+            best, least = Cause(name, detail), distance  # a mistake that leads to what is right all the same is none
+    if best is not OTHER:
         return best
-    return Cause("rounding") if _distance(value, answer.value, answer) <= _NEAR else OTHER
+    return Cause("rounding") if distance_to(answer.value) <= _NEAR else OTHER
 
 
-def _distance(value: float, result: float, answer: Answer) -> float:
+def _distances(value: float, answer: Answer) -> Callable[[float], float]:
     """How far a value is from the result of a mistake, in tolerances of the answer that are as wide as the result."""
-    if not math.isfinite(result):
-        return math.inf
     size = scale(answer)
-    width = answer.tolerance if answer.quantity.is_angle or not size else answer.tolerance * abs(result) / size
-    gap = abs(value - result)
-    if answer.quantity.is_direction:
-        gap = abs(math.remainder(gap, 360.0))
-    if width == 0:
-        return 0.0 if gap <= _SAME * max(abs(result), 1.0) else math.inf
-    return gap / width
+    is_direction = answer.quantity.is_direction
+    fixed = answer.tolerance if answer.quantity.is_angle or not size else None
+
+    def distance_to(result: float) -> float:
+        if not math.isfinite(result):
+            return math.inf
+        width = fixed if fixed is not None else answer.tolerance * abs(result) / size
+        gap = abs(value - result)
+        if is_direction:
+            gap = abs(math.remainder(gap, 360.0))
+        if width == 0:
+            return 0.0 if gap <= _SAME * max(abs(result), 1.0) else math.inf
+        return gap / width
+
+    return distance_to
 
 
-def _every(answer: Answer, around: Comparisons) -> Iterator[tuple[Cause, float]]:
-    """What the answer would be by each mistake."""
-    right = answer.value
+def _every(answer: Answer, around: Comparisons) -> Iterator[tuple[str, str, float]]:
+    """What the answer would be by each mistake: name and detail of the cause, and the result."""
+    right, is_angle = answer.value, answer.quantity.is_angle
+    yield "sign", "", -right
     if answer.quantity.is_direction:
-        yield Cause("sign"), -right
-        yield Cause("sign"), right - 180.0 if right > 0 else right + 180.0
+        yield "sign", "", right - 180.0 if right > 0 else right + 180.0
         for other in (90.0 - right, 180.0 - right):
-            yield Cause("component"), other
-    else:
-        yield Cause("sign"), -right
+            yield "component", "", other
     for name, result in around.mistakes.items():
-        yield Cause("mistake", name), result
-    if not answer.quantity.is_angle:
+        yield "mistake", name, result
+    if not is_angle:
         for name, result in around.mistakes.items():
-            yield Cause("mistake", name), -result
+            yield "mistake", name, -result
     for name, result in around.parts.items():
-        yield Cause("component", name), result
-        yield Cause("component", name), -result
+        yield "component", name, result
+        yield "component", name, -result
     if answer.quantity.component == "sense":
         return
-    for factor in _UNITS.get(answer.unit.dimension, ()):
+    dimension = answer.unit.dimension
+    for factor in _UNITS.get(dimension, ()):
         for other in (factor, 1 / factor):
-            yield Cause("unit"), right * other
-    if answer.quantity.is_angle:
+            yield "unit", "", right * other
+    if is_angle:
         return
-    metres = _METRES.get(answer.unit.dimension[0], ())
+    metres = _METRES.get(dimension[0], ())
     for power in _POWERS:
         factor = 10.0**power
-        unit = factor in metres or 1 / factor in metres
-        yield Cause("unit" if unit else "power_of_ten"), right * factor
-        yield Cause("unit" if unit else "power_of_ten"), -right * factor
+        name = "unit" if factor in metres or 1 / factor in metres else "power_of_ten"
+        yield name, "", right * factor
+        yield name, "", -right * factor
     for name, sibling in around.siblings.items():
-        if sibling.unit.dimension == answer.unit.dimension:
-            yield Cause("other_answer", name), answer.unit.from_si(sibling.value * sibling.unit.size)
+        if sibling.unit.dimension == dimension:
+            yield "other_answer", name, answer.unit.from_si(sibling.value * sibling.unit.size)

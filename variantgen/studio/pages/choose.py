@@ -13,7 +13,7 @@ from starlette.routing import Route
 from variantgen.errors import InputError, Problem
 from variantgen.studio.catalogue import KINDS, ONLY, TOPICS, cards
 from variantgen.studio.documents.document import Document
-from variantgen.studio.figures import FIRST_SEED, MOST_SEEDS, card_figure, specimen
+from variantgen.studio.figures import FIRST_SEED, MOST_SEEDS, card_figure, known_figure, specimen
 from variantgen.studio.frame import command, language_of, part, render
 from variantgen.studio.requests import document_of, number_of, read_json, studio_of, text_of
 from variantgen.studio.security import FIGURE_POLICY
@@ -39,7 +39,7 @@ async def shown_cards(request: Request) -> Response:
     studio, language = studio_of(request), language_of(request)
     found = await run_in_threadpool(cards, studio.workspace)
     starred = stars(studio)
-    shown = [_shown(card, language, starred) for card in found]
+    shown = [shown_card(card, language, starred) for card in found]
     counts = {
         name: sum(name in card["topics"] or name in card["kinds"] for card in shown) for name in (*TOPICS, *KINDS)
     }
@@ -58,7 +58,8 @@ async def figure(request: Request) -> Response:
     studio, path = studio_of(request), request.path_params
     seed = number_of(path["seed"], "seed", 0, MOST_SEEDS)
     language = language_of(request)
-    text = await studio.draw(lambda: card_figure(studio.workspace, path["family"], path["form"], seed, language))
+    wanted = (studio.workspace, path["family"], path["form"], seed, language)
+    text = await run_in_threadpool(known_figure, *wanted) or await studio.draw(lambda: card_figure(*wanted))
     lasting = "private, max-age=31536000, immutable" if "v" in request.query_params else "no-store"
     headers = {"cache-control": lasting, "content-security-policy": FIGURE_POLICY}
     return Response(text, media_type="image/svg+xml", headers=headers)
@@ -112,7 +113,7 @@ def _name(card: dict[str, Any]) -> str:
     return f"{card['family']}/{card['form'] or ONLY}"
 
 
-def _shown(card: dict[str, Any], language: str, starred: set[str]) -> dict[str, Any]:
+def shown_card(card: dict[str, Any], language: str, starred: set[str]) -> dict[str, Any]:
     """A card in a language, with the words that it is found by in all of them."""
     several = card["forms"] > 1
     texts = [card["family"].replace("_", " "), card["form"].replace("_", " ")]
