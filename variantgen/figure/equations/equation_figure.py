@@ -26,7 +26,7 @@ from variantgen.figure.placement.least_crowded import first_roomy
 from variantgen.methods.steps.point_vectors import Arrow, PointEquation, PointVectors
 from variantgen.wording.formula import Formula, to_plain
 
-LONGEST = 40.0  # length of the longest vector, u
+LONGEST = 56.0  # length of the longest vector, u
 _NOTHING = 1e-9  # of the longest vector: there is none
 # Lengths of vectors and size of the bodies, in proportion to the usual ones, tried until letters find room.
 _SIZES = ((1.0, 1.0), (1.25, 1.0), (1.0, 0.75), (1.4, 0.7))
