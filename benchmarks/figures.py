@@ -19,7 +19,8 @@ from dataclasses import dataclass, field, replace
 
 from benchmarks.measure import machine_line, write_beside
 from variantgen.families.family import Family, Form
-from variantgen.families.load import family_names, load_family
+from variantgen.families.folders import family_names
+from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
 from variantgen.figure.arrow_faults import inspect_arrows
 from variantgen.figure.build import statement_figure

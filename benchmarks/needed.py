@@ -20,7 +20,8 @@ from benchmarks.measure import write_beside
 from variantgen.algebra.values import in_order
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Form
-from variantgen.families.load import family_names, load_family
+from variantgen.families.folders import family_names
+from variantgen.families.load import load_family
 from variantgen.families.quantities import Quantity
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.relative import sliding_points

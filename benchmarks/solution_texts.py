@@ -22,7 +22,8 @@ from statistics import mean, median
 from typing import Any
 
 from variantgen.families.asking import read_ask
-from variantgen.families.load import family_names, load_family
+from variantgen.families.folders import family_names
+from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import task_of

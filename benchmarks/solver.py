@@ -13,7 +13,8 @@ from benchmarks.options import Options
 from benchmarks.rivals import EXTRA, MECHANISMS, Mechanism, ways
 from variantgen.families.draw_rules import frame
 from variantgen.families.family import Family, Form
-from variantgen.families.load import family_names, load_family
+from variantgen.families.folders import family_names
+from variantgen.families.load import load_family
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.solve import solve

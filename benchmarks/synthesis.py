@@ -24,7 +24,8 @@ from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.exam.composed import write
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Family
-from variantgen.families.load import family_names, load_family
+from variantgen.families.folders import family_names
+from variantgen.families.load import load_family
 from variantgen.families.method_names import METHODS
 from variantgen.figure.build import statement_figure
 from variantgen.figure.faults import figure_faults

@@ -42,8 +42,15 @@ class DescribedFigure:
         return dict(self.language.words("figure"))
 
     @property
+    def of_graphs(self) -> set[str]:
+        """The symbols at the axes of the graphs below the mechanism, without their units."""
+        below = (to_plain(label.formula) for label in self.figure.labels if label.at.imag <= self.figure.graphs)
+        return {text.partition(";")[0] for text in below}
+
+    @property
     def labels(self) -> set[str]:
-        return {to_plain(label.formula) for label in self.figure.labels}
+        """Those of the mechanism: a graph below it is told by what it shows."""
+        return {to_plain(label.formula) for label in self.figure.labels if label.at.imag > self.figure.graphs}
 
     def named(self, name: str) -> str:
         return to_plain(self.language.symbol(name, self.variant.form.symbols))

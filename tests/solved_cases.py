@@ -7,7 +7,8 @@ from decimal import Decimal
 from variantgen.families.asking import read_ask
 from variantgen.families.cases import Case, load_cases
 from variantgen.families.family import Family
-from variantgen.families.load import family_names, load_family
+from variantgen.families.folders import family_names
+from variantgen.families.load import load_family
 from variantgen.families.quantities import Quantity, parse_quantity
 from variantgen.methods.linkage.problem import Task, task_of
 from variantgen.variants.variant import Variant

@@ -15,7 +15,8 @@ from variantgen.check.family import check_family
 from variantgen.check.glossary import avoided_words, family_words, terms
 from variantgen.check.letters import ambiguous_letters
 from variantgen.families.asking import read_ask
-from variantgen.families.load import family_names, load_family
+from variantgen.families.folders import family_names
+from variantgen.families.load import load_family
 from variantgen.families.parameter import Parameter
 from variantgen.families.units import UNITS
 from variantgen.resources import catalog_dir, languages, templates_dir

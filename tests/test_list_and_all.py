@@ -10,7 +10,7 @@ import pytest
 
 from variantgen.cli import main
 from variantgen.exam.exam_file import parse_exam
-from variantgen.families.load import family_names
+from variantgen.families.folders import family_names
 
 # A crank of 20 cm at 30 degrees and a rod of 50 cm to a slider on the axis x; 2 rad/s.
 CRANK = """
@@ -58,6 +58,17 @@ def test_a_family_with_its_forms(capsys):
     assert re.search(r"^\* omega_AB +ω_AB +rad/s +\.abs +\.sense$", out, re.MULTILINE)
     assert re.search(r"^  v_A +v_A +cm/s +\.x +\.y +\.angle \(deg\)$", out, re.MULTILINE)
     assert '[[problem]]\nfamily = "slider_crank"\n' in out
+
+
+def test_the_work_of_each_form(capsys):
+    """18 calculations for the spool and 30 for the wheel are counted on paper, as in test_fairness."""
+    assert main(["list"]) == 0
+    lines = {line.split()[0]: line for line in capsys.readouterr().out.splitlines()}
+    assert lines["spool"].endswith("[18 easy]")
+    assert lines["rolling_wheel"].endswith("[30 easy]")
+    assert "[central 44 medium, " in lines["slider_crank"]
+    assert main(["list", "spool"]) == 0
+    assert "work: some 18 calculations (easy)\n" in capsys.readouterr().out
 
 
 def test_the_document_of_a_family(capsys):

@@ -19,7 +19,8 @@ if TYPE_CHECKING:
     from variantgen.builder import build
     from variantgen.errors import InputError, VariantgenError
     from variantgen.exam.roster import Student, read_roster
-    from variantgen.families.load import family_names, load_family
+    from variantgen.families.folders import family_names
+    from variantgen.families.load import load_family
     from variantgen.mechanism.scene import Scene
     from variantgen.mechanism.solve import solve
     from variantgen.outputs.single.explanation import explain
@@ -38,7 +39,7 @@ _HOMES = {
     "build": "builder",
     "draw": "variants.draw",
     "explain": "outputs.single.explanation",
-    "family_names": "families.load",
+    "family_names": "families.folders",
     "load_family": "families.load",
     "picture": "outputs.single.picture",
     "read_roster": "exam.roster",

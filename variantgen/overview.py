@@ -10,6 +10,7 @@ from itertools import pairwise, permutations
 from typing import Any
 
 from variantgen.errors import InputError
+from variantgen.exam.work_samples import usual_work
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Family, Form
 from variantgen.families.parameter import Parameter
@@ -44,6 +45,7 @@ def overview(family: Family, language: Language, named: str = "") -> dict[str, A
 def _form(family: Family, form: Form, language: Language) -> dict[str, Any]:
     return {
         "form": form.name,
+        "work": usual_work(family, form),
         "parameters": {name: _parameter(p, form, language) for name, p in form.parameters.items()},
         "ask": list(form.ask),
         "can_be_asked": list(_askable(family, form, language)),

@@ -7,7 +7,8 @@ from math import isinf
 
 import pytest
 
-from variantgen.families.load import family_names, load_family
+from variantgen.families.folders import family_names
+from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity, quantity_names
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import Motion

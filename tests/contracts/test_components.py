@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from tests.joint_scenes import SCENES as JOINT_SCENES
-from variantgen.families.load import family_names, load_family
+from variantgen.families.folders import family_names
+from variantgen.families.load import load_family
 from variantgen.mechanism.component import discover, field_specs
 from variantgen.mechanism.rows import Placement, ScalarRow
 from variantgen.mechanism.scene import Scene

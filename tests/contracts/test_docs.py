@@ -13,7 +13,8 @@ import pytest
 from variantgen.cli import main
 from variantgen.cli.app import _parser
 from variantgen.exam import allocation, sheets
-from variantgen.families.load import family_names, load_family
+from variantgen.families.folders import family_names
+from variantgen.families.load import load_family
 from variantgen.families.method_names import METHODS
 from variantgen.families.restrict import restrict
 from variantgen.figure.views import view_names

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from variantgen.families.load import family_names, load_family
+from variantgen.families.folders import family_names
+from variantgen.families.load import load_family
 from variantgen.mechanism.rows import Placement
 from variantgen.mechanism.sweep import Sweep, SweepEnd
 from variantgen.single import answers, asked_quantities, one_variant

@@ -10,7 +10,8 @@ import pytest
 
 from variantgen.check.family import check_family
 from variantgen.families.expressions import FamilyExpression
-from variantgen.families.load import family_names, load_family
+from variantgen.families.folders import family_names
+from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
 from variantgen.figure.arrow_faults import inspect_arrows
 from variantgen.figure.build import statement_figure
@@ -130,7 +131,7 @@ def ends_at(place: complex, label: Label) -> bool:
 def arcs_and_labels(figure: Drawing) -> list[tuple[Arc, Label]]:
     """The arcs of given rotation, each with the label that is nearest to it."""
     arcs = [line for line in figure.lines if isinstance(line, Arc) and line.layer == Layer.VECTOR]
-    labels = [label for label in figure.labels if to_plain(label.formula)[0] in "ωα"]
+    labels = [x for x in figure.labels if to_plain(x.formula)[0] in "ωα" and x.at.imag > figure.graphs]
     assert len(arcs) == len(labels)
 
     def gap(arc: Arc, label: Label) -> float:

@@ -13,7 +13,8 @@ import pytest
 
 from variantgen.families.cases import Case, load_cases
 from variantgen.families.family import Family
-from variantgen.families.load import family_names, load_family
+from variantgen.families.folders import family_names
+from variantgen.families.load import load_family
 
 # id: (family, {quantity: exact value in printed units})
 GOLDEN: dict[str, tuple[str, dict[str, float]]] = {

@@ -81,6 +81,14 @@ def parts(modules: set[str]) -> set[str]:
     return {name.split(".")[0] for name in modules}
 
 
+def test_list_checks_no_family_of_the_catalogue() -> None:
+    own, packages = loaded(["list"])
+    assert parts(own) <= NOTHING_ELSE | {"exam", "families", "letters", "limits", "resources", "tables", "wording"}
+    assert {name for name in own if name.startswith("exam.")} == {"exam.kept_work", "exam.wanted_work"}
+    assert "families.load" not in own
+    assert not packages
+
+
 def test_solve_loads_no_more_than_it_needs() -> None:
     own, packages = loaded(["solve", "slider_crank", "--seed", "1"])
     assert parts(own) <= SOLVING

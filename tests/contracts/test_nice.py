@@ -10,7 +10,8 @@ import pytest
 
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Family
-from variantgen.families.load import family_names, load_family
+from variantgen.families.folders import family_names
+from variantgen.families.load import load_family
 from variantgen.families.nice import hand_friendly
 from variantgen.families.quantities import Quantity
 from variantgen.families.restrict import restrict
@@ -31,7 +32,8 @@ NONE = {("guided_plate", ""), ("three_rod_plate", ""), ("wheel_with_rod", "drive
 # sides of their triangles has a factor 11, 13, ... in its denominator, so answers are decimals.
 DECIMALS = {
     ("falling_rod", ""), ("slider_crank", "driven_by_slider"), ("quick_return_shaper", ""),
-    ("wheel_with_rod", "central"),
+    ("wheel_with_rod", "central"), ("limit_positions", "slider"), ("limit_positions", "rocker"),
+    ("slider_crank_with_graph", "read"), ("slider_crank_with_graph", "sketch"),
 }  # fmt: skip
 SOURCES = {
     "rolling_wheel", "ladder", "four_bar", "slider_crank", "slider_crank_with_second_rod", "planetary_pair", "spool",

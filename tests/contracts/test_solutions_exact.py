@@ -9,7 +9,8 @@ import pytest
 from variantgen.algebra.expression import Value
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Family, Form
-from variantgen.families.load import family_names, load_family
+from variantgen.families.folders import family_names
+from variantgen.families.load import load_family
 from variantgen.families.quantities import Quantity, parse_quantity
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import Motion

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -14,6 +15,7 @@ from variantgen.errors import InputError
 from variantgen.exam.allocation import ProblemSampler
 from variantgen.exam.exam_file import Exam, parse_exam
 from variantgen.exam.fairness import band_of, shortages, uneven_pools
+from variantgen.exam.kept_work import WorkSample
 from variantgen.exam.packing import pack, unpack
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
@@ -68,9 +70,9 @@ def test_a_system_counts_once_with_its_elimination() -> None:
     assert work_of([x, y]) == Work(lines=2, operations=9, functions=0, systems=1, negatives=0, obtuse=0, coriolis=0)
 
 
-def works(*counts: tuple[int, int, int]) -> list[Work]:
+def works(*counts: tuple[int, int, int]) -> WorkSample:
     """So many works of calculations with so many negative numbers: (count, calculations, negatives)."""
-    return [Work(1, size, 0, 0, negatives, 0, 0) for count, size, negatives in counts for _ in range(count)]
+    return WorkSample(Counter({(size, negatives, 0): count for count, size, negatives in counts}), 48)
 
 
 def test_the_band_is_the_fullest_of_its_width() -> None:
@@ -140,9 +142,9 @@ def test_a_pool_without_such_a_form_is_told() -> None:
     with pytest.raises(InputError) as caught:
         drawn_sheets(exam(problems=POOL + 'level = "hard"'), CLASS[:2])
     (problem,) = caught.value.problems
-    assert problem.key == "problem[1].work"
-    assert "spool" in problem.remedy
-    assert "rolling_wheel" in problem.remedy
+    assert (problem.key, problem.value) == ("problem[1].level", "hard")
+    assert problem.message == "no form has enough variants of 47 or more calculations"
+    assert "spool 18, rolling_wheel 30" in problem.remedy
 
 
 def test_members_that_are_not_comparable_are_named() -> None:
@@ -158,6 +160,9 @@ def test_members_that_are_not_comparable_are_named() -> None:
     ("line", "key"),
     [
         ("work = 20", "problem[1].work"),
+        ("work = [20]", "problem[1].work"),
+        ("work = [0, 20]", "problem[1].work"),
+        ("work = [20, 10001]", "problem[1].work"),
         ("work = [30, 20]", "problem[1].work"),
         ("work = [1.5, 20]", "problem[1].work"),
         ('level = "simple"', "problem[1].level"),

@@ -10,7 +10,8 @@ import pytest
 
 from variantgen.errors import InputError
 from variantgen.families.family import Form
-from variantgen.families.load import family_names, load_family
+from variantgen.families.folders import family_names
+from variantgen.families.load import load_family
 from variantgen.families.quantities import Quantity, parse_quantity
 from variantgen.figure.drawing import Arc, Drawing, Layer, Path
 from variantgen.figure.sketch import DOT

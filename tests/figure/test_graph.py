@@ -21,10 +21,13 @@ from variantgen.families.sketches import with_sketch
 from variantgen.figure.drawing import BOLD
 from variantgen.figure.drawing import Path as DrawnPath
 from variantgen.figure.graph import grid, rate_graph, turn_curve
+from variantgen.outputs.documents.sheet_data import sheet_notes
 from variantgen.outputs.formats import read_exam
 from variantgen.single import one_variant
 from variantgen.wording.formula import to_plain
+from variantgen.wording.graph_words import read_off
 from variantgen.wording.language import load_language
+from variantgen.wording.statement import answer_notes
 
 DATA = {"OA": 20, "AB": 60, "phi": 60, "omega_OA": 3}
 
@@ -77,7 +80,7 @@ def test_the_sheet_has_empty_grids_and_the_solution_their_curves(tmp_path: Path)
     ((posed,),), ((solved,),) = content.posed, content.solved
     assert posed.figure.height > 2 * 46 + solved.rows[0][0].drawing.height  # two grids below the mechanism
     assert "Below it an empty grid for v_B" in posed.figure.alt
-    assert "".join(part for part in posed.statement.text if isinstance(part, str)).count("Sketch in the grid") == 2
+    assert "".join(part for part in posed.statement.text if isinstance(part, str)).count("Sketch in the grids") == 1
     names = [figure.name for row in solved.rows for figure in row]
     assert names[-2:] == [f"{CURVE}:v_B", f"{CURVE}:omega_AB"]
 
@@ -126,8 +129,28 @@ def test_a_rate_told_by_its_graph(tmp_path: Path) -> None:
     assert "ordinate" in str(read.blocks)
 
 
-def test_data_that_no_grid_shows_are_refused() -> None:
-    with pytest.raises(InputError, match="cannot be read from one grid"):
+def test_pairs_that_a_grid_shows_are_drawn(tmp_path: Path) -> None:
+    path = tmp_path / "exam.toml"
+    path.write_text(EXAM.replace('sketch = ["v_B", "omega_AB"]', "graph = true").replace('["v_B"]', '["a_B"]'), "utf-8")
+    for (item,) in (sheet.items for sheet in drawn_sheets(read_exam(path), numbered(6))):
+        rate, acceleration = (abs(item.variant.printed[name]) for name in ("omega_OA", "epsilon_OA"))
+        assert acceleration / 10 <= rate  # of all grids the shortest time is 0.1 s
+        assert grid_of(rate, acceleration)
+
+
+def test_values_of_which_no_grid_shows_a_pair_are_refused() -> None:
+    with pytest.raises(InputError, match="can be read from one grid"):
         with_graph(restrict(load_family("slider_crank"), {"omega_OA": 1, "epsilon_OA": 12}, {}, ("central",)))
     with pytest.raises(InputError, match="has not a velocity and an acceleration"):
         with_graph(load_family("falling_rod"))
+
+
+def test_a_reader_is_told_the_signs_of_what_is_sketched(tmp_path: Path) -> None:
+    path = tmp_path / "exam.toml"
+    path.write_text(EXAM, "utf-8")
+    exam = read_exam(path)
+    (sheet,) = drawn_sheets(exam, numbered(1))
+    (item,) = sheet.items
+    notes = answer_notes(read_off(item.variant.form, item.asked), exam.spoken)
+    assert any("plus is counterclockwise" in note for note in notes)  # of omega_AB, which is not asked
+    assert sheet_notes(sheet, exam.spoken) == notes

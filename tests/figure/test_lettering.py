@@ -9,7 +9,8 @@ from dataclasses import replace
 
 import pytest
 
-from variantgen.families.load import family_names, load_family
+from variantgen.families.folders import family_names
+from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
 from variantgen.figure import glyphs
 from variantgen.figure.build import statement_figure

@@ -13,7 +13,8 @@ from pathlib import Path
 import pytest
 
 from tests.figure.transcript import transcript
-from variantgen.families.load import family_names, load_family
+from variantgen.families.folders import family_names
+from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
 from variantgen.figure.build import statement_figure
 from variantgen.variants.draw import FamilySampler as Draws

@@ -14,8 +14,8 @@ from variantgen.exam.sheets import Answer
 from variantgen.families.load import load_family
 from variantgen.families.quantities import split_name
 from variantgen.families.units import unit
-from variantgen.marking.causes import Cause, Comparisons, cause_of
-from variantgen.marking.consequences import confirms
+from variantgen.marking.diagnosis.causes import Cause, Comparisons, cause_of
+from variantgen.marking.diagnosis.consequences import confirms
 from variantgen.marking.key import is_right
 from variantgen.marking.marks import Verdict, verdict_of
 from variantgen.variants.draw import draw

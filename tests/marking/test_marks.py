@@ -13,7 +13,7 @@ import openpyxl
 import pytest
 
 from variantgen.cli import main
-from variantgen.marking.follow_through import FollowThrough
+from variantgen.marking.diagnosis.follow_through import FollowThrough
 
 EXAM = """title = "Quiz"
 language = "en"
@@ -238,6 +238,11 @@ def test_the_filled_form_for_marking(built: Path, mark: Mark, tmp_path: Path) ->
     for student in ("s1", "s2", "s3"):
         assert verdicts[student, "v_B"] == verdicts[student, "a_B"] == "right"
         assert verdicts[student, "omega_AB"] == "blank"
+    points = next(column for head, column in columns.items() if head.startswith("v_B") and head.endswith("points"))
+    sheet.cell(head[0].row + 1, points, 1)
+    book.save(tmp_path / "over.xlsx")
+    _, _, _, left = mark(tmp_path / "over.xlsx")
+    assert [(row["text"], row["why"]) for row in left] == [("1: 1", "points typed over their formula are not read")]
 
 
 def test_a_neighbours_variant(built: Path, mark: Mark, tmp_path: Path) -> None:
@@ -255,7 +260,8 @@ def test_a_neighbours_answers_follow_from_nothing(
     copied: int, built: Path, mark: Mark, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Though each follows from the first: three are too many for chance, and of two the suspicion stays."""
-    monkeypatch.setattr(FollowThrough, "granted", lambda *given: {place: [0] for place in given[-1] if place})
+    granted = lambda _, students: [{place: [0] for place in wrong if place} for *_, wrong in students]  # noqa: E731
+    monkeypatch.setattr(FollowThrough, "granted_to", granted)
     right = key(built)
     first, second, _ = order(built)
     names = ("v_B", "omega_AB", "a_B")[:copied]

@@ -15,8 +15,8 @@ from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Answer
 from variantgen.families.quantities import split_name
 from variantgen.families.units import unit
-from variantgen.marking.causes import Cause
 from variantgen.marking.class_statistics import Advice, class_facts
+from variantgen.marking.diagnosis.causes import Cause
 from variantgen.marking.marks import Marked, MarkedAnswer, StudentTotal, Verdict
 
 __all__ = ["built", "mark"]

@@ -141,6 +141,22 @@ def test_limit_positions_of_a_rocker() -> None:
     assert found["stroke_B"] == pytest.approx(chord, rel=1e-12)  # its path is an arc
 
 
+def test_the_pin_of_a_rocker_and_the_rocker_have_one_ratio_of_times() -> None:
+    found = values(ROCKER, "time_ratio_B", "time_ratio_BC")
+    far, near = 85 + 30, 85 - 30
+    corners = [np.arccos((70**2 + end**2 - 66**2) / (2 * 70 * end)) for end in (far, near)]
+    theta = corners[1] - corners[0]
+    assert [*found.values()] == pytest.approx([(np.pi + abs(theta)) / (np.pi - abs(theta))] * 2, rel=1e-11)
+    said = str(explain(variant_of(ROCKER), "en", ask=["time_ratio_B"]))
+    assert "180° + θ" in said
+
+
+def test_an_extreme_at_a_kink_and_quantities_that_do_not_change() -> None:
+    found = values(SLIDER.format(omega=2, points=CRANK_FIRST), "max_angle_O.A.B", "max_y_B", "phi_max_v_A")
+    assert found["max_angle_O.A.B"] == pytest.approx(np.pi, abs=1e-9)  # stretched
+    assert found["max_y_B"] == found["phi_max_v_A"] == np.inf  # the slider keeps its height, the pin its speed
+
+
 def driven_rate(angle: mpmath.mpf) -> mpmath.mpf:
     """The angular velocity of the driven crank of a double crank, that of the driving one being 1 rad/s."""
     a, b, c, d = map(mpmath.mpf, (50, 60, 55, 20))

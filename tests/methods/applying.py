@@ -12,8 +12,9 @@ _SLIDING = {
 }  # fmt: skip
 # A rod with one known point and another of known direction.
 _RODS = {
-    "disc_on_arc_with_rod", "four_bar", "four_bar_with_sleeve", "hydraulic_hoist-with_rod", "ladder",
-    "quick_return_shaper", "rod_in_circular_guide", "sleeve_on_crank", "slider_crank", "slider_crank_with_second_rod",
+    "disc_on_arc_with_rod", "four_bar", "four_bar_with_sleeve", "hydraulic_hoist-with_rod", "ladder", "limit_positions",
+    "quick_return_shaper", "rod_in_circular_guide", "sleeve_on_crank", "slider_crank", "slider_crank_with_graph",
+    "slider_crank_with_second_rod",
     "triangle_plate-velocities", "two_loop_mechanism", "wheel_with_rod-central", "wheel_with_rod-offset",
 }  # fmt: skip
 # Coordinates are formulas of the given motion: no system of equations.
@@ -31,7 +32,7 @@ _NO_PLANE_MOTION = {
 }  # fmt: skip
 # Only accelerations of a plate are asked, only velocities are asked.
 _ACCELERATIONS = {"plate_acceleration_centre", "triangle_plate-equilateral", "triangle_plate-scalene"}
-_VELOCITIES = {"triangle_plate-velocities"}
+_VELOCITIES = {"triangle_plate-velocities", "limit_positions", "slider_crank_with_graph-sketch"}
 # Angular velocity and acceleration of a body are known before the acceleration of a further point.
 _ANGULAR_FIRST = {
     "crank_and_disc", "disc_in_cylinder", "falling_rod", "gear_pair_with_crank", "ladder", "movable_pulley",
@@ -59,7 +60,7 @@ APPLYING = {
     "acceleration_pole": _without(_NO_PLANE_MOTION | _VELOCITIES | {"guided_plate", "oscillating_cylinder"}),
     "acceleration_centre": _only(_ANGULAR_FIRST),
     "relative_motion": _only(_SLIDING),
-    "three_rates": _only({"four_bar", "four_bar_with_sleeve"}),
+    "three_rates": _only({"four_bar", "four_bar_with_sleeve", "limit_positions-rocker"}),
     "graphical": _without({"guided_plate", "three_rod_plate"}),
     "coordinates": FORMS,
 }

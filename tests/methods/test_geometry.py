@@ -18,7 +18,8 @@ from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.values import parts
 from variantgen.families.family import Form
-from variantgen.families.load import family_names, load_family, parse_family
+from variantgen.families.folders import family_names
+from variantgen.families.load import load_family, parse_family
 from variantgen.families.restrict import restrict
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.linkage.problem import Task, task_of

@@ -6,7 +6,8 @@ import pytest
 
 from variantgen.algebra.name import Name
 from variantgen.families.asking import read_ask
-from variantgen.families.load import family_names, load_family
+from variantgen.families.folders import family_names
+from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
 from variantgen.families.restrict import restrict
 from variantgen.methods.compose import solution

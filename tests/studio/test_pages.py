@@ -14,7 +14,8 @@ from playwright.sync_api import expect
 from tests.studio.conftest import EXAM, Visit
 
 Open = Callable[..., Visit]
-PAGES = ("/?all", "/exam/choose", "/exam/compose", "/exam/build")
+NAMES = ("choose", "compose", "roster", "build", "mark", "play", "author")
+PAGES = ("/?all", *(f"/exam/{name}" for name in NAMES))
 
 
 def saved(visit: Visit, name: str = "exam") -> dict[str, Any]:
@@ -199,3 +200,76 @@ def test_answers_that_refuse_hold_nothing_up(visit: Open) -> None:
     page.unroute("**/exam/edit")
     page.get_by_text("17\N{NO-BREAK SPACE}points").first.wait_for()
     assert saved(window)["problem"][0]["points"] == 12 and page.locator("#offline").is_hidden()
+
+
+def test_a_mechanism_is_played(visit: Open) -> None:
+    """By slider, by keys, by time; the problem of the exam first, then another mechanism by sight."""
+    window = visit()
+    page = window.open("/exam/play")
+    now, slider = page.locator("#now"), page.get_by_role("slider", name="Position of the driver")
+    expect(page.get_by_role("heading", name="Four-bar linkage")).to_be_visible()
+    given = now.inner_text()
+    page.keyboard.press("Home")
+    expect(now).to_have_text("φ = 0°")
+    page.keyboard.press("Shift+ArrowRight")
+    expect(now).to_have_text("φ = 10°")
+    expect(slider).to_have_attribute("aria-valuetext", "10°")
+    at_ten = page.locator("#curves output").all_inner_texts()
+    page.keyboard.press("Space")
+    expect(now).to_have_text(re.compile(r"φ = [1-3]\d\d°"))
+    page.get_by_role("button", name="Stop").click()
+    assert page.locator("#curves output").all_inner_texts() != at_ten
+    page.keyboard.press("4")
+    expect(page.locator("#scene path.centrode")).to_be_visible()
+    page.get_by_role("button", name="Next variant").click()
+    page.wait_for_url("**/exam/play?problem=1&student=2")
+    expect(page.locator("#label")).to_have_text("Problem 1, Variant 2")
+    assert given.startswith("φ = ")
+    page.get_by_role("button", name="Other mechanism").click()
+    page.get_by_role("searchbox").fill("wheel both bars")
+    expect(page.locator(".tiles li:visible")).to_have_count(1, timeout=30_000)
+    page.locator(".tiles li:visible a").click()
+    page.wait_for_url("**/exam/play?family=wheel_between_racks**")
+    expect(page.locator("#label")).to_have_text("Variant 11")
+    assert window.complaints == []
+
+
+def test_a_family_is_written_and_used(visit: Open) -> None:
+    """Begun from a copy, a mistake mended by one button, changed by an editor meanwhile, put into the exam."""
+    window = visit()
+    page = window.open("/exam/author")
+    page.get_by_label("Name", exact=True).fill("own_ladder")
+    page.get_by_label("a working beginning").check()
+    page.get_by_role("button", name="Begin").click()
+    page.wait_for_url("**/exam/author?family=own_ladder")
+    home = window.folder / "own_ladder"
+    given = page.locator("#given")
+    expect(given).to_contain_text(re.compile("φ\\s=\\s"), timeout=15_000)
+    assert barriers(page) == []
+    russian = page.get_by_role("textbox", name="Russian")
+    right = russian.input_value()
+    russian.fill(right.replace("{{ phi }}", "{{ phii }}"))
+    page.get_by_role("button", name="statement.ru.j2, line 1").wait_for()
+    assert "{{ phii }}" in (home / "statement.ru.j2").read_text("utf-8")
+    page.locator("#oops").get_by_role("button", name="Change to phi").click()
+    expect(page.locator("#oops")).to_be_hidden()
+    assert (home / "statement.ru.j2").read_text("utf-8") == right
+    # A mistake in the file is told at its line, the figure stays.
+    file = page.get_by_role("textbox", name="family.toml")
+    text = file.input_value()
+    file.fill(text.replace('distance = "OA"', 'distance = "OX"'))
+    page.get_by_role("button", name="family.toml, line 22").wait_for()
+    expect(page.locator("#figure svg")).to_be_visible()
+    # An editor is faster: both texts are shown, one is taken.
+    (home / "family.toml").write_text(text.replace("own problem", "a book"), "utf-8")
+    file.fill(text.replace("from = 10, to = 40", "from = 12, to = 12"))
+    page.get_by_text("was changed by another program").wait_for()
+    assert "a book" in page.locator("#oops pre").inner_text()
+    page.get_by_role("button", name="Keep mine").click()
+    expect(given).to_contain_text(re.compile("OA\\s=\\s12\\scm"))
+    page.get_by_role("button", name="Into the exam").click()
+    page.get_by_text("The family is a problem of the exam now").wait_for()
+    assert saved(window)["problem"][-1] == {"family": "own_ladder", "points": 10}
+    page.goto(f"{window.base}/exam/compose#3")
+    page.wait_for_selector("#live svg")
+    assert [said for said in window.complaints if "409" not in said] == []

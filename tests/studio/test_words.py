@@ -6,8 +6,11 @@ import re
 import tomllib
 from string import Formatter
 
-from variantgen.families.load import family_names, load_family
+from variantgen.families.folders import family_names
+from variantgen.families.load import load_family
 from variantgen.studio.words import ASSETS, LANGUAGES
+
+PARTS = ("choose", "compose", "build", "roster", "mark", "play")  # pages whose pieces are templates of their own
 
 
 def tables(language: str) -> dict[str, dict[str, str]]:
@@ -35,7 +38,7 @@ def test_pages_use_words_that_there_are() -> None:
     english = tables("en")
     for path in sorted((ASSETS / "pages").glob("*.j2")):
         table = path.name.partition(".")[0]
-        own = english.get(table) or {**english["choose"], **english["compose"], **english["build"]}
+        own = english.get(table) or {key: word for name in PARTS for key, word in english[name].items()}
         for name in re.findall(r"\bwords\.(\w+)", path.read_text("utf-8")):
             assert name in own or name in ("get", "title"), (path.name, name)
         for name in re.findall(r"\bframe\.(?!html)(\w+)", path.read_text("utf-8")):

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import json
+import shutil
 from pathlib import Path
 
 import pytest
 
 from variantgen.check.family import check_family
 from variantgen.cli.app import main
+from variantgen.exam import composed_pools
 from variantgen.families.asking import read_ask
 from variantgen.families.cases import load_cases
 from variantgen.families.load import load_family
@@ -56,6 +59,8 @@ def test_data_stay_few_and_the_last_dyad_is_asked(made: Path) -> None:
         (["--structure", "RRR01", "--level", "hard"], "calculations"),
         (["--groups", "PRP,RPP", "--links", "5"], "no structure is like that"),
         (["--structure", "RRR"], "code of a structure"),
+        (["--structure", "RRR01", "--links", "3"], "says all of them"),
+        (["--exam", "exam.toml"], "has no place for --out"),
     ],
 )
 def test_what_cannot_be_made_is_told(
@@ -66,6 +71,12 @@ def test_what_cannot_be_made_is_told(
     assert not (tmp_path / "new").exists()
 
 
+def test_a_structure_that_is_not_of_textbooks_gets_a_notice(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out = str(tmp_path / "new")
+    assert main(["compose", "--structure", "RRR01-RRR01", "--out", out]) == 0  # two outputs
+    assert "no textbook" in capsys.readouterr().err
+
+
 def test_levels() -> None:
     assert level(parse_code("RRR01")) == level(parse_code("RPR01")) == "easy"
     assert level(parse_code("RRR01-RRP20")) == "medium"
@@ -73,18 +84,86 @@ def test_levels() -> None:
     assert level(parse_code("RRR01-RRR02-RRR04")) == "hard"
 
 
-def test_an_exam_of_composed_problems_is_verified(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    exam = tmp_path / "exam.toml"
-    exam.write_text(
-        'title = "Composed"\nlanguage = "en"\n[[problem]]\n'
-        'compose = { groups = ["RRP"], links = 3, level = "easy", structures = 2 }\n'
+@pytest.fixture(scope="module")
+def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("pool")
+    (folder / "exam.toml").write_text(
+        'title = "Composed"\nlanguage = "en"\n[[problem]]\ncompose = { groups = ["RRP"], links = 3, structures = 2 }\n'
     )
-    assert main(["build", str(exam), "--variants", "2", "--out", str(tmp_path / "out")]) == 0
-    assert main(["verify", str(tmp_path / "out")]) == 0
+    assert main(["build", str(folder / "exam.toml"), "--variants", "2", "--out", str(folder / "out")]) == 0
+    return folder
+
+
+def _nothing_is_composed(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(*_: object) -> None:
+        raise AssertionError("composed again")
+
+    monkeypatch.setattr(composed_pools, "write", refuse)
+    monkeypatch.setattr(composed_pools, "_pool", composed_pools._pool.__wrapped__)
+
+
+def test_an_exam_of_composed_problems_is_verified_from_its_manifest(
+    built: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    _nothing_is_composed(monkeypatch)
+    assert main(["verify", str(built / "out")]) == 0
     assert "all right" in capsys.readouterr().err
-    exam.write_text(exam.read_text().replace("links = 3", "links = 4"))
+    recorded = json.loads((built / "out" / "manifest.json").read_text("utf-8"))["composed"]
+    assert sorted(name[:6] for name in recorded) == ["rrp01_", "rrp10_"]
+
+
+def test_a_manifest_leads_to_no_other_folder(built: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = (built / "out" / "manifest.json").read_text("utf-8")
+    (tmp_path / "manifest.json").write_text(text.replace('"rrp01_', '"../rrp01_'), "utf-8")
+    assert main(["verify", str(tmp_path)]) == 2
+    assert "expected the name of a family" in capsys.readouterr().err
+
+
+def test_a_pool_beside_the_exam_is_taken_as_a_whole(
+    built: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    exam = tmp_path / "exam.toml"
+    exam.write_text((built / "exam.toml").read_text())
+    assert main(["compose", "--exam", str(exam)]) == 0
+    kept = sorted(path for path in tmp_path.iterdir() if path.is_dir())
+    assert [path.name[:6] for path in kept] == ["rrp01_", "rrp10_"]
+    _nothing_is_composed(monkeypatch)
+    assert main(["build", str(exam), "--variants", "2", "--out", str(tmp_path / "out")]) == 0
+    for name in ("key.csv", "sheets.pdf"):  # the same sheets wherever the pool lies
+        assert (tmp_path / "out" / name).read_bytes() == (built / "out" / name).read_bytes()
+    capsys.readouterr()
+    shutil.rmtree(kept[0])
+    assert main(["build", str(exam), "--variants", "2", "--out", str(tmp_path / "out2")]) == 2
+    assert "has 1 families of this pool" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("compose", "told"),
+    [
+        ('{ groups = ["RRP"], links = 4 }', "3, 5 or 7 moving links"),
+        ('{ groups = ["RRP"], links = 3, structures = 3 }', "there are only 2 such structures"),
+        ("{ structures = 0 }", "from 1 to 60"),
+        ('{ group = ["RRP"] }', "did you mean"),
+    ],
+)
+def test_a_pool_that_cannot_be_is_told(
+    compose: str, told: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    exam = tmp_path / "exam.toml"
+    exam.write_text(f'title = "Composed"\nlanguage = "en"\n[[problem]]\ncompose = {compose}\n')
     assert main(["build", str(exam), "--variants", "2", "--out", str(tmp_path / "no")]) == 2
-    assert "3, 5 or 7 moving links" in capsys.readouterr().err
+    assert told in capsys.readouterr().err
+
+
+def test_members_of_a_pool_ask_for_the_same_and_take_nearly_the_same(tmp_path: Path) -> None:
+    codes = ("RRR01", "RRP01", "RRP10", "RPR01", "RPP10")
+    made = [
+        composed_pools._Member(calculations, accelerations, parse_code(name), tmp_path / name)
+        for name, calculations, accelerations in zip(
+            codes, (30, 37, 36, 33, 35), (True, True, True, True, False), strict=True
+        )
+    ]
+    assert {member.calculations for member in composed_pools._alike(made, 9)} == {30, 36, 33}  # 36 is 1.2 times 30
 
 
 def test_it_has_the_structure_that_it_was_made_for(made: Path) -> None:

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from variantgen.errors import InputError
-from variantgen.families.load import family_names, load_family, parse_family
+from variantgen.families.folders import family_names
+from variantgen.families.load import load_family, parse_family
 from variantgen.families.machine import SIZES
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.solve import solve

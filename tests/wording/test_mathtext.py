@@ -6,7 +6,8 @@ import pytest
 from matplotlib import rc_context
 from matplotlib.mathtext import MathTextParser
 
-from variantgen.families.load import family_names, load_family
+from variantgen.families.folders import family_names
+from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
 from variantgen.families.units import UNITS
 from variantgen.outputs.single.motion_plot import STYLE

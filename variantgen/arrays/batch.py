@@ -25,7 +25,8 @@ from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.families.asking import Ask, check_ask, read_ask
 from variantgen.families.draw_rules import frame
 from variantgen.families.family import Family, Form
-from variantgen.families.load import Folders, load_family
+from variantgen.families.folders import Folders
+from variantgen.families.load import load_family
 from variantgen.families.quantities import Quantity
 from variantgen.families.restrict import by_parameter, restrict
 from variantgen.mechanism.motion import ComplexField, Field, Motion

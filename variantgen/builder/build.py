@@ -190,5 +190,7 @@ def _put_together(
     bands = ProblemSampler(exam).bands()
     recorded = [{"problem": n, "family": family, "form": form, **b.record()} for (n, family, form), b in bands.items()]
     notes += [*shortages(bands), *uneven_pools(bands)]
+    if exam.scan and "pdf" not in exam.formats:
+        notes.append("[answers] scan = true prints pages for answers in sheets.pdf alone: add pdf to the formats")
     write_records(folder, exam, spec.made_with, redrawn, pages, pieces[RECORDS], recorded)
     return Built(folder, len(sheets), redrawn, tuple(sorted(unexplained)), tuple(notes), alike, cut=cut)

@@ -131,8 +131,9 @@ def check_quantities(variant: Variant, report: Report) -> None:
 
 
 def _at_constant_speed(variant: Variant) -> Variant:
-    """The variant with all given accelerations zero: its text must not speak of them."""
-    second = {name for name, parameter in variant.form.parameters.items() if parameter.of_second_order}
+    """The variant with all accelerations zero that are given as numbers: its text must not speak of them."""
+    told = variant.form.figure.graph
+    second = {n for n, parameter in variant.form.parameters.items() if parameter.of_second_order and n not in told}
     return replace(variant, printed={n: Decimal(0) if n in second else v for n, v in variant.printed.items()})
 
 
@@ -183,7 +184,7 @@ def _unsaid(said: Statement, variant: Variant, asked: Sequence[Quantity], langua
         parameter = variant.form.parameters[name]
         symbol = language.symbol(parameter.symbol, variant.form.symbols)
         is_length = parameter.unit is not None and parameter.unit.measures == "length"
-        if not is_length and symbol not in spoken:
+        if not is_length and symbol not in spoken and name not in variant.form.figure.graph:
             found.append(f"the text does not say what {name} is")
     return found
 

@@ -41,7 +41,8 @@ def add_students(parser: argparse.ArgumentParser) -> None:
 def exam_file(text: str, folders: tuple[Path, ...]) -> Path | None:
     """The path of an exam file, by a path or the name of a sample; None for a family or a scene."""
     from variantgen.exam.samples import exam_path
-    from variantgen.families.load import FAMILY_KEYS, family_names
+    from variantgen.families.folders import family_names
+    from variantgen.families.load import FAMILY_KEYS
     from variantgen.tables import read_toml
 
     if text in family_names(folders):

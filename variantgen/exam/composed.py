@@ -1,22 +1,18 @@
-"""Composed families, accepted like those of the catalogue and with a worked case: for exams, for the command."""
+"""Composed families, accepted like those of the catalogue and with a worked case."""
 
 from __future__ import annotations
 
-import atexit
 import tempfile
 from collections.abc import Iterator, Sequence
-from contextlib import ExitStack, suppress
 from dataclasses import replace
-from functools import cache
 from pathlib import Path
 
-from variantgen.errors import InputError
 from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.exam.solution_figures import solution_figure_faults
-from variantgen.exam.wanted_work import LEVELS, Span
+from variantgen.exam.wanted_work import Span
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Family
-from variantgen.families.files import CASES, FAMILY
+from variantgen.families.files import CASES
 from variantgen.families.quantities import Quantity
 from variantgen.figure.build import statement_figure
 from variantgen.figure.faults import figure_faults
@@ -26,23 +22,18 @@ from variantgen.methods.compose import natural_answers
 from variantgen.methods.hand.work import work_of
 from variantgen.methods.linkage.problem import task_of
 from variantgen.synthesis.compose import MOST_TRIES, compose
-from variantgen.synthesis.levels import chosen_structures, level
 from variantgen.synthesis.statement_text import composed_languages
-from variantgen.synthesis.structures import Structure, code
-from variantgen.tables import Table
+from variantgen.synthesis.structures import Structure
 from variantgen.variants.draw import draw
-from variantgen.variants.seeding import digest
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.language import load_language
 from variantgen.wording.solution.explain import explain
+from variantgen.wording.statement import statement
 
 _LOOKED_AT, _COUNTED = 3, 15  # variants whose figures are drawn, and whose work is counted where it matters
-_POOL, _MOST = 10, 60  # structures of a problem of an exam
-_ROUGHLY = 1.15  # a few variants tell the work so well
-_WIDTH = 1.12  # by which the calculations of a pool differ from those of its first family
-_EACH, _TRIES = 6, 3  # structures tried for each that is wanted, layouts of each
+_ROUGHLY = 1.25  # one variant tells the work so well
+_TRIES = 4  # layouts of a structure whose work matters
 _KEY = ("compose", 0)  # in the place of student and problem
-_lasting = ExitStack()
 
 
 def _drawn(family: Family, count: int) -> list[Variant]:
@@ -62,14 +53,20 @@ class _Examination:
         asked = read_ask(variants[0].form)
         motion = solve_variants(variants, 2)
         self.calculations = _calculations(variants, motion, asked)
-        if self._is_outside(_ROUGHLY):
-            return f"it takes about {self.calculations} calculations"
         if self._span is not None:
             more = draw(replace(family, name="composed"), None, [(str(i), "work", 0) for i in range(_COUNTED)])
             self.calculations = _calculations(more, solve_variants(more, 2), asked)
         if self._is_outside(1.0):
             return f"it takes {self.calculations} calculations"
         return next(_faults(variants, motion, asked), "")
+
+    def unfit(self, variant: Variant) -> str:
+        """Whether the work of one variant is far from what is wanted."""
+        if self._span is None:
+            return ""
+        motion = solve_variants([variant], 2)
+        self.calculations = _calculations([variant], motion, read_ask(variant.form))
+        return f"it takes about {self.calculations} calculations" if self._is_outside(_ROUGHLY) else ""
 
     def _is_outside(self, factor: float) -> bool:
         span = self._span
@@ -83,9 +80,10 @@ def _calculations(variants: Sequence[Variant], motion: Motion, asked: Sequence[Q
 
 
 def _faults(variants: Sequence[Variant], motion: Motion, asked: Sequence[Quantity]) -> Iterator[str]:
-    """What is wrong with figures of the statement or of the solution."""
+    """What is wrong with figures of the statement or of the solution. Raises InputError for a bad statement."""
     for name in composed_languages():
         language = load_language(name)
+        statement(variants[0], asked, language)
         for place, variant in enumerate(variants):
             yield from map(str, figure_faults(statement_figure(variant, motion, place, asked, language)))
         text = explain(variants[0], motion, 0, asked, language)
@@ -125,74 +123,13 @@ def _case(family: Family) -> str:
     )
 
 
-def read_composed(table: Table, folders: Sequence[Path]) -> tuple[str, ...]:
-    """The families of ``compose = { groups, links, level, structures, seed }`` of a problem: names, or paths.
-
-    Those that one of the folders has by its name are taken from there; the others are made, in a folder that lasts as
-    long as the process. With a level they are comparable in work. Mistakes are noted in the table.
-    """
-    groups = tuple(table.strings("groups"))
-    wanted = table.choice("level", tuple(LEVELS)) if "level" in table.data else ""
-    span = LEVELS.get(wanted)
-    table.expect("level")
-    links = table.take("links", int, 0) or None
-    count = table.take("structures", int, _POOL)
-    seed = str(table.take("seed", (int, str), 0, "a whole number or a word"))
-    table.finish()
-    if not 1 <= count <= _MOST:
-        table.problem(f"expected a number from 1 to {_MOST}", "structures", count)
-        return ()
-    structures: list[Structure] = []
-    with table.collecting(""):
-        structures = shuffled(chosen_structures(groups, links), seed, wanted)
-    found: list[str] = []
-    for structure in structures[: _EACH * count]:
-        if len(found) == count:
-            break
-        name = _name(structure, seed, span)
-        if any((folder / name / FAMILY).is_file() for folder in folders):
-            found.append(name)
-            continue
-        with suppress(InputError):  # another structure takes its place
-            folder, calculations = _made(structure, seed, span)
-            found.append(str(folder))
-            if span is not None and len(found) == 1:  # the first one says what the others take
-                least, most = round(calculations / _WIDTH), round(calculations * _WIDTH)
-                span = max(span[0], least), min(span[1], most)
-    if structures and not found:
-        table.problem("no structure of this level was found", "level", remedy="another seed, other groups, or no level")
-    return tuple(found)
-
-
-def shuffled(structures: Sequence[Structure], seed: object, wanted: str) -> list[Structure]:
-    """The structures in an order that depends on the seed; those that usually are of the wanted level come first."""
-
-    def place(structure: Structure) -> tuple[bool, bytes]:
-        return bool(wanted) and level(structure) != wanted, digest("order", code(structure), seed)
-
-    return sorted(structures, key=place)
-
-
-def _name(structure: Structure, seed: str, span: Span | None) -> str:
-    """The name of the family of a structure, a seed and the calculations that it may take."""
-    mark = digest("composed", code(structure), seed, span).hex()[:6]
-    return f"{code(structure).lower().replace('-', '_')}_{mark}"
-
-
-@cache
-def _made(structure: Structure, seed: str, span: Span | None) -> tuple[Path, int]:
-    """The folder of a composed family in this process, and its calculations. Raises InputError."""
-    folder = _lasting_folder() / _name(structure, seed, span)
-    return folder, write(structure, seed, folder, span, with_case=False)
-
-
-@cache
-def _lasting_folder() -> Path:
-    atexit.register(_lasting.close)
-    return Path(_lasting.enter_context(tempfile.TemporaryDirectory(prefix="variantgen-composed-")))
-
-
-def write(structure: Structure, seed: object, folder: Path, span: Span | None = None, with_case: bool = True) -> int:
+def write(
+    structure: Structure,
+    seed: object,
+    folder: Path,
+    span: Span | None = None,
+    with_case: bool = True,
+) -> int:
     """Write a composed family to a folder that is not there yet, complete or not at all; returns its calculations.
 
     ``span``: how many calculations a variant of it takes; to meet it, only velocities may be asked. ``with_case``: with
@@ -204,7 +141,7 @@ def write(structure: Structure, seed: object, folder: Path, span: Span | None = 
         made = Path(scratch) / folder.name
         made.mkdir()
         orders, tries = ((2,), MOST_TRIES) if span is None else ((2, 1), _TRIES)
-        found = compose(structure, seed, AnswerTolerances(), made, examination, orders, tries)
+        found = compose(structure, seed, AnswerTolerances(), made, examination, examination.unfit, orders, tries)
         files = found.files | ({CASES: _case(found.family)} if with_case else {})
         for name, text in files.items():
             (made / name).write_text(text, "utf-8")

@@ -14,6 +14,7 @@ from variantgen.exam import printable
 from variantgen.exam.answer_page import read_answers_options
 from variantgen.exam.asked import check_forms, read_asked
 from variantgen.exam.marking_policy import MarkingPolicy, read_policy
+from variantgen.exam.named_families import read_names
 from variantgen.exam.notices import Notices, read_notices
 from variantgen.exam.solutions import Solutions, read_solutions
 from variantgen.exam.student_order import NAME, SORTS
@@ -43,6 +44,7 @@ class ExamProblem:
 
     ``methods`` are those of its solutions (none: the natural ones of the family). ``nice``: only hand-friendly
     variants. ``tolerance`` is that of the problem, if it has one of its own, ``work`` bounds its calculations.
+    ``composed``: its families are a pool made for it.
     """
 
     number: int
@@ -53,6 +55,7 @@ class ExamProblem:
     nice: bool = False
     tolerance: Tolerance | None = None
     work: Span | None = None
+    composed: bool = False
 
 
 @dataclass(frozen=True)
@@ -258,21 +261,10 @@ def _task(table: Table, number: int, folders: tuple[Path, ...], usual: Tolerance
         table.bounded(key, LISTED)
     if len(table.problems) > before:
         return None
-    names = table.strings("families")
-    if "compose" in table.data and not names and "family" not in table.data:
-        from variantgen.exam.composed import read_composed  # figures and methods, which no other exam needs here
-
-        names = read_composed(table.table("compose"), folders)
-    elif "family" in table.data:
-        if names:
-            table.problem("both family and families are given", "families", ", ".join(names), "keep one of them")
-        names = (table.take("family", str, ""),)
-    elif not names:
-        table.problem("missing, expected the name of a family", "family")
+    names = read_names(table, folders)
     forms = (table.take("form", str, ""),) if isinstance(table.data.get("form"), str) else table.strings("form")
     fixed = table.take("set", dict, {}, "a table of parameters")
     ranges = table.take("range", dict, {}, "a table of parameters with [lowest, highest]")
-    table.expect("families", "compose")
     ask = read_asked(table)
     nice = table.take("nice", bool, False)
     tolerance = read_tolerance(table, usual) if "tolerance" in table.data else None
@@ -297,4 +289,6 @@ def _task(table: Table, number: int, folders: tuple[Path, ...], usual: Tolerance
     check_forms(table, ask, families)
     if len(table.problems) > before:
         return None
-    return ExamProblem(number, tuple(families), ask, points or None, methods, nice, tolerance, work)
+    return ExamProblem(
+        number, tuple(families), ask, points or None, methods, nice, tolerance, work, "compose" in table.data
+    )

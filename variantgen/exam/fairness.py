@@ -12,7 +12,8 @@ neither single questions nor wished methods change anybody's data.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections import Counter
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import product
 from typing import Any
@@ -22,25 +23,21 @@ from numpy.typing import NDArray
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam.answer_tolerances import AnswerTolerances, ToleranceScreening
-from variantgen.exam.wanted_work import MOST, Span
+from variantgen.exam.kept_work import Sizes, WorkSample
+from variantgen.exam.wanted_work import LEVELS, MOST, Span
+from variantgen.exam.work_samples import variant_work, work_sample
 from variantgen.families.family import Family, Form
 from variantgen.families.quantities import Quantity, motion_order
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Frame
-from variantgen.methods.hand.work import Work, work_of
-from variantgen.methods.linkage.problem import task_of
-from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
-from variantgen.variants.attempts import FormSampler, VerificationError
-from variantgen.variants.batch import RejectionCounts
+from variantgen.methods.hand.work import Work
 from variantgen.variants.draw import FamilySampler
 from variantgen.variants.printed_data import max_distinct_problems
 from variantgen.variants.screening import Values
-from variantgen.variants.seeding import Stream
 from variantgen.variants.variant import Variant, solve_variants
 
 ROOM = 1000  # distinct variants that a band leaves at least
 _SHARE = 0.2  # of the draws that a band leaves at least: the others are in vain
-_SAMPLE = 48  # variants of a form from which its band is found
 _SPREAD = 2  # by which negative numbers, and obtuse angles, may differ in a band
 ANY_WIDTH = 1000.0  # where the work of a problem is bounded, but need not be equal
 _LISTED = 8  # members of a pool that are named
@@ -73,17 +70,16 @@ class Band:
         own = {name: None if self.calculations is None or span is None else list(span) for name, span in spans.items()}
         return {**own, "percent_of_draws": round(100 * self.share), "variants": self.room, "of": self.of}
 
+    @property
+    def usual(self) -> float:
+        """The calculations of a usual variant."""
+        return self.median if self.calculations is None else 0.5 * sum(self.calculations)
+
     def __contains__(self, work: Work | None) -> bool:
         if self.calculations is None or work is None:  # without a solution a variant is judged by its confirmation
             return True
-        return all(
-            low <= number <= high
-            for (low, high), number in zip(
-                (self.calculations, self.negatives, self.obtuse),
-                (work.calculations, work.negatives, work.obtuse),
-                strict=True,
-            )
-        )
+        spans = self.calculations, self.negatives, self.obtuse
+        return all(low <= number <= high for (low, high), number in zip(spans, work.sizes, strict=True))
 
 
 @dataclass
@@ -110,12 +106,12 @@ class FairDraws:
         """The band of a form for what its draws are examined on; the form remembers it."""
         key = ("sample", family.name, tuple(asked), self.answer_tolerances.tolerance.mistakes)
         if key not in form.remembered:
-            form.remembered[key] = sample_works(family, form, asked, self.answer_tolerances)
-        works, valid = form.remembered[key]
+            form.remembered[key] = work_sample(family, form, asked, self.answer_tolerances)
+        sample: WorkSample = form.remembered[key]
         own = ("band", *key, self.width, self.wanted)
         if own not in form.remembered:
-            of = round(valid * max_distinct_problems(form, asked))
-            form.remembered[own] = band_of(works, self.width, of, self.wanted)
+            of = round(sample.valid * max_distinct_problems(form, asked))
+            form.remembered[own] = band_of(sample, self.width, of, self.wanted)
         found: Band = form.remembered[own]
         return found
 
@@ -166,74 +162,50 @@ class _FairScreening:
         return {**screens, "work as usual for the problem": fair}
 
 
-def variant_work(variant: Variant, motion: Motion, place: int, asked: Sequence[Quantity]) -> Work | None:
-    """The work of a variant by its natural solution; ``place`` is its index in the batch ``motion``.
-
-    None where no method leads to what is asked.
-    """
-    from variantgen.methods.compose import natural_answers  # loaded when a solution is worked out
-
-    try:
-        return work_of(natural_answers(task_of(variant, motion, place, asked)).values())
-    except NOT_APPLICABLE:
-        return None
-    except VerificationError:  # that is said of a variant when it is handed out
-        return None
-
-
-def sample_works(
-    family: Family, form: Form, asked: Sequence[Quantity], screening: AnswerTolerances, count: int = _SAMPLE
-) -> tuple[list[Work], float]:
-    """The work of variants of a fixed sample of a form, and the part of the grid that is valid.
-
-    Empty where a form has no valid variant, and where no method leads to what is asked.
-    """
-    sampler = FormSampler(family, form, asked, RejectionCounts(), family.name, screening)
-    try:
-        attempts = sampler.many(Stream("work", family.name, form.name), count, by_hand=True)
-    except InputError:  # the draw of the students' variants says it, with their keys
-        return [], 0.0
-    variants = [sampler.variant(attempts, place) for place in range(attempts.number.size)]
-    motion = solve_variants(variants, sampler.order)
-    works = (variant_work(variant, motion, i, asked) for i, variant in enumerate(variants))
-    return [work for work in works if work is not None], count / int(attempts.number[-1])
-
-
-def band_of(works: Sequence[Work], width: float, of: int, wanted: Span | None = None) -> Band:
+def band_of(sample: WorkSample, width: float, of: int, wanted: Span | None = None) -> Band:
     """The narrowest band, of the wanted width or of a multiple, that leaves enough room of ``of`` variants.
 
     Where calculations are ``wanted`` to lie between two numbers, so does the band.
     """
-    table = np.array([(work.calculations, work.negatives, work.obtuse) for work in works]).reshape(len(works), 3)
-    median = float(np.median(table[:, 0])) if works else 0.0
+    works, median = sample.works, sample.median
     for times in _WIDTHS:
-        found = _fullest(table, times * width, median, wanted or (0, MOST))
+        found = _fullest(works, times * width, median, wanted or (0, MOST))
         if found is None:
             break
         inside, spans = found
-        share = inside / len(works)
+        share = inside / works.total()
         if share * of >= ROOM and share >= _SHARE:
             return Band(*spans, median, share, round(share * of), of, widened=times > 1.0)
     return Band(None, (0, 0), (0, 0), median, 1.0, of, of, widened=True)
 
 
 def _fullest(
-    table: NDArray[np.int64], width: float, median: float, wanted: Span
+    works: Counter[Sizes], width: float, median: float, wanted: Span
 ) -> tuple[int, tuple[Span, Span, Span]] | None:
-    """The number of rows in the band with the most of them, and its spans; of several bands that nearest the median."""
-    best: tuple[tuple[float, ...], tuple[Span, Span, Span]] | None = None
-    for low, negatives, obtuse in product(*map(_distinct, table.T)):
-        starts = np.array([max(low, wanted[0]), negatives, obtuse])
-        ends = np.array([min(int(low * (1.0 + width) + 1e-9), wanted[1]), negatives + _SPREAD, obtuse + _SPREAD])
-        inside = table[np.all((table >= starts) & (table <= ends), axis=1)]
-        if not len(inside):
-            continue
-        least, most = inside.min(axis=0).tolist(), inside.max(axis=0).tolist()
-        rank = (len(inside), -abs(0.5 * (least[0] + most[0]) - median), -float(negatives), -float(obtuse))
-        if best is None or rank > best[0]:
-            # What the sample happens not to have of a span is as good; its least calculations are those of a variant.
-            best = rank, ((int(starts[0]), int(ends[0])), (negatives, int(ends[1])), (obtuse, int(ends[2])))
-    return None if best is None else (int(best[0][0]), best[1])
+    """The number of works in the band with the most of them, and its spans; of several bands that nearest the
+    median.
+    """
+    if not works:
+        return None
+    rows, counts = np.array([*works]), np.array([*works.values()])
+    starts = np.array([*product(*map(np.unique, rows.T))])
+    ends = starts + _SPREAD
+    ends[:, 0] = np.minimum(np.floor(starts[:, 0] * (1.0 + width) + 1e-9), wanted[1])
+    starts[:, 0] = np.maximum(starts[:, 0], wanted[0])
+    is_inside = np.all((rows >= starts[:, None]) & (rows <= ends[:, None]), axis=2)
+    inside = is_inside @ counts
+
+    def rank(place: int) -> tuple[float, ...]:
+        own = rows[is_inside[place], 0]
+        return -abs(0.5 * (int(own.min()) + int(own.max())) - median), *(-starts[place, 1:]).tolist()
+
+    most = int(inside.max())
+    if not most:
+        return None
+    best = max(np.flatnonzero(inside == most).tolist(), key=rank)
+    # What the sample happens not to have of a span is as good; its least calculations are those of a variant.
+    calculations, negatives, obtuse = zip(starts[best].tolist(), ends[best].tolist(), strict=True)
+    return most, (calculations, negatives, obtuse)
 
 
 def with_work(drawings: Sequence[FamilySampler], fair: FairDraws, where: str, wanted: Span) -> list[FamilySampler]:
@@ -254,11 +226,14 @@ def with_work(drawings: Sequence[FamilySampler], fair: FairDraws, where: str, wa
             found.append(drawing)
     if found:
         return found
+    level = next((name for name, span in LEVELS.items() if span == wanted), "")
+    bounds = f"{wanted[0]} to {wanted[1]}" if wanted[1] < MOST else f"{wanted[0]} or more"
     raise InputError(
         Problem(
-            f"no form has enough variants of {wanted[0]} to {wanted[1]} calculations",
-            key=f"{where}.work",
-            remedy="the usual ones of each form take: " + ", ".join(known),
+            f"no form has enough variants of {bounds} calculations",
+            key=f"{where}.{'level' if level else 'work'}",
+            value=level,
+            remedy="usual variants take: " + ", ".join(known) + "; variantgen list tells those of other families",
         )
     )
 
@@ -267,8 +242,7 @@ def uneven_pools(bands: Mapping[tuple[int, str, str], Band]) -> list[str]:
     """What an instructor should know of problems whose families and forms are not comparable in work."""
     members: dict[int, list[tuple[float, str]]] = {}
     for (number, family, form), band in bands.items():
-        middle = band.median if band.calculations is None else 0.5 * sum(band.calculations)
-        members.setdefault(number, []).append((middle, f"{family} {form}".strip()))
+        members.setdefault(number, []).append((band.usual, f"{family} {form}".strip()))
     found = []
     for number, own in members.items():
         least, most = min(own), max(own)
@@ -293,7 +267,3 @@ def shortages(bands: Mapping[tuple[int, str, str], Band]) -> list[str]:
             low, high = band.calculations
             found.append(f"{where}: variants of {low} to {high} calculations, as narrower leaves too few of {band.of}")
     return found
-
-
-def _distinct(column: NDArray[np.int64]) -> Iterator[int]:
-    return iter(np.unique(column).tolist())

@@ -13,6 +13,7 @@ from typing import Any
 from variantgen.errors import InputError, Problem
 from variantgen.exam import printable
 from variantgen.exam.exam_file import Exam
+from variantgen.exam.named_families import read_recorded
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import is_code
 from variantgen.exam.tolerance import LARGEST, Tolerance
@@ -78,7 +79,8 @@ class Manifest:
     ``exam_id`` is the short name of the build that QR codes have. ``tolerance`` is the marking, which may have been
     changed since the build, ``floors`` has the least tolerances of problems with one of their own. ``redrawn`` are ids
     of students who drew again, ``pages`` how many students have so many pages, by document,
-    ``bands`` how much work variants of each form may take.
+    ``bands`` how much work variants of each form may take, ``composed`` the files of families that were composed for
+    it, by the names of the families and of the files.
     """
 
     path: Path
@@ -96,6 +98,7 @@ class Manifest:
     redrawn: tuple[str, ...] = ()
     pages: Mapping[str, Mapping[int, int]] = field(default_factory=dict)
     bands: tuple[Mapping[str, Any], ...] = ()
+    composed: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
 
     def differences(self, exam: Exam) -> list[str]:
         """The versions and files that differ from those the exam was made with, in words."""
@@ -167,6 +170,7 @@ def _manifest(top: Table, path: Path) -> Manifest:
         top.strings("redrawn"),
         _pages(top.table("pages")),
         tuple(_band(table) for table in top.tables("bands")),
+        read_recorded(top.table("composed")),
     )
 
 

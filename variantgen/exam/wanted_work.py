@@ -37,9 +37,12 @@ def read_work(table: Table) -> Span | None:
         return LEVELS[table.choice("level", tuple(LEVELS))]
     if "work" not in table.data:
         return None
-    given: Any = table.take("work", list, [1, MOST], "two whole numbers")
-    if not (len(given) == 2 and all(type(n) is int for n in given) and 1 <= given[0] <= given[1] <= MOST):
-        table.problem("expected two whole numbers, the fewest and the most calculations", "work", given, "[20, 30]")
+    given: Any = table.take("work", list, [1, MOST], "two whole numbers, as in [20, 30]")
+    whole = len(given) == 2 and all(type(number) is int for number in given)
+    if not (whole and 1 <= given[0] <= given[1] <= MOST):
+        got = f"[{', '.join(map(str, given))}]"
+        remedy = f"the fewest come first: [{given[1]}, {given[0]}]" if whole and given[0] > given[1] else "[20, 30]"
+        table.problem(f"expected the fewest and the most calculations, whole numbers up to {MOST}", "work", got, remedy)
         return None
     return given[0], given[1]
 

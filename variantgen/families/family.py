@@ -14,7 +14,7 @@ from variantgen.families.expressions import FamilyExpression
 from variantgen.families.figure_hints import FigureHints
 from variantgen.families.machine import Machine
 from variantgen.families.parameter import Parameter
-from variantgen.families.quantities import Quantity, quantity_names
+from variantgen.families.quantities import Quantity, is_quantity, quantity_names
 from variantgen.mechanism.arithmetic import Real
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.scene import Scene
@@ -70,6 +70,7 @@ class Form:
     figure: FigureHints = FigureHints()
     symbols: Mapping[str, str] = field(default_factory=dict)
     nice: HandFriendly = field(default_factory=HandFriendly)
+    laws: Mapping[str, str] = field(default_factory=dict)
     ties: TiedValues | None = None
     nouns: Mapping[str, str] = field(default_factory=dict)  # what a body is called in a solution
     machine: Machine | None = None  # its size class; without one nothing is too large or too fast
@@ -107,9 +108,12 @@ class Form:
 
     @cached_property
     def askable(self) -> list[str]:
-        """Names of the quantities that may be asked: those of the scene, or those of them that ``may_ask`` allows."""
+        """Names of the quantities that may be asked: the plain ones of the scene, or those that ``may_ask`` allows."""
         names = quantity_names(self.sample)
-        return [name for name in names if not self.may_ask or any(fnmatchcase(name, p) for p in self.may_ask)]
+        if not self.may_ask:
+            return names
+        further = [name for name in self.may_ask if name not in names and is_quantity(name, self.sample)]
+        return [name for name in names if any(fnmatchcase(name, p) for p in self.may_ask)] + further
 
     def may_be_asked(self, quantity: Quantity) -> bool:
         """Whether the data determine a quantity of the scene: itself, or the plain ones that it is made of."""

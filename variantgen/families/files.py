@@ -20,10 +20,15 @@ CASES = "cases.toml"
 _KNOWN = (FAMILY, CASES, "statement.*.j2")
 
 
+def is_file_of_family(name: str) -> bool:
+    """Whether a file of this name in the folder of a family is one of its files."""
+    return Path(name).name == name and any(fnmatchcase(name, known) for known in _KNOWN)
+
+
 def check_files(folder: Path) -> list[Path]:
     """The files of a family, sorted by name. Raises InputError for links and for what is no file."""
     with os.scandir(folder) as entries:
-        names = sorted(entry.name for entry in entries if any(fnmatchcase(entry.name, known) for known in _KNOWN))
+        names = sorted(entry.name for entry in entries if is_file_of_family(entry.name))
     if len(names) > FAMILY_FILES:
         remedy = "leave out statements of languages that nobody uses"
         message = f"expected at most {FAMILY_FILES} files of a family"

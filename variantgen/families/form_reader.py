@@ -21,7 +21,7 @@ from variantgen.families.nice import read_nice
 from variantgen.families.parameter import Parameter
 from variantgen.families.parameters import check_name, read_parameter, unknown_name
 from variantgen.families.plain_angles import Kind, check_angle, kind_of, kind_of_parameter
-from variantgen.families.quantities import quantity_names
+from variantgen.families.quantities import is_quantity, quantity_names
 from variantgen.families.soundness import demands
 from variantgen.families.templates import TemplateReader
 from variantgen.families.units import unit
@@ -53,6 +53,7 @@ class FormReader:
         self.derived: dict[str, FamilyExpression] = {}
         self.dimensions: dict[str, Dimension] = {}
         self.kinds: dict[str, Kind] = {}  # which of them are angles
+        self.laws: dict[str, str] = {}  # laws of time, each with the unit of its plain numbers or ''
         self._values = 0
         self._length = length
         self._templates = TemplateReader(self.expression, unit(length))
@@ -114,6 +115,7 @@ class FormReader:
             figure,
             symbols,
             nice,
+            self.laws,
             nouns=nouns,
             machine=machine,
         )
@@ -155,7 +157,7 @@ class FormReader:
     def _check_ask(self, form: Form) -> None:
         names = quantity_names(form.sample)
         for pattern in form.may_ask:
-            if not any(fnmatchcase(name, pattern) for name in names):
+            if not any(fnmatchcase(name, pattern) for name in names) and not is_quantity(pattern, form.sample):
                 raise InputError(
                     Problem(
                         "fits no quantity of the scene",
@@ -225,6 +227,8 @@ class FormReader:
                 if time in law.names:
                     moving[name] = law
                 dimension = self._define(name, law, stated.dimension if stated else None)
+                plain = named.name if named else self._length if dimension == (1, 0) else "rad"
+                self.laws[name] = plain if stated else ""
                 for i, suffix in enumerate(("_dot", "_ddot"), start=1):
                     law = law.derivative(time)
                     self._define(name + suffix, law, (dimension[0], dimension[1] - i))

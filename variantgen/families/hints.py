@@ -106,7 +106,7 @@ def read_figure(
     lines, thin, grooves, walls, found = (
         _paths(table, key, points) for key in ("lines", "thin", "grooves", "walls", "found")
     )
-    sketch = table.strings("sketch")
+    sketch, graph = table.strings("sketch"), table.strings("graph")
     for i, names in enumerate(found, start=1):
         if len(names) != 3 or len(set(names)) != 3:
             table.problem("expected three points, the corner in the middle", f"found[{i}]", ", ".join(names))
@@ -128,6 +128,7 @@ def read_figure(
         tuple(right_angles),
         found,
         sketch,
+        graph,
     )
 
 

@@ -77,6 +77,8 @@ def _rates(template: ComponentTemplate, form: Form) -> Iterator[LiteralDatum]:
             continue
         second, rate = field in ("a", "epsilon"), _literal(template, field)
         if source.names:
+            if any(source.names & {f"{law}_dot", f"{law}_ddot"} for law in form.laws):
+                continue  # the law itself is told
             datum = LiteralDatum("rate", rate_name(template, field), _measure(template, field), 0.0, second)
             yield replace(datum, source=source)
         elif rate or (rate is not None and not second):

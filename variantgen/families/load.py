@@ -1,46 +1,33 @@
-"""Reading of family files and one-off scene files, and where families are looked for."""
+"""Reading of family files and one-off scene files."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from functools import cache
 from os import PathLike
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.drawn_bodies import with_drawn_bodies
 from variantgen.families.family import Family, Form
 from variantgen.families.files import FAMILY, check_files
+from variantgen.families.folders import Folders, family_names, file_of
 from variantgen.families.form_reader import SECTIONS, FormReader
 from variantgen.families.length_units import check_length_unit
 from variantgen.families.method_names import check_methods
+from variantgen.families.rate_graphs import read_from_graph
 from variantgen.families.repeated import reported_once
 from variantgen.families.sketches import check_sketch
 from variantgen.families.units import unit
 from variantgen.letters import named, unseen
 from variantgen.limits import FORMS
-from variantgen.resources import catalog_dir
 from variantgen.tables import Table, parse_toml, read_text
 
 SCHEMA = 1
-Folders: TypeAlias = Sequence[str | PathLike[str]] | str | PathLike[str]  # with families, looked through in order
 # What no exam says; a title and the number of the schema stand there too.
 FAMILY_KEYS = frozenset({*SECTIONS, "length_unit", "ask", "may_ask", "source", "solution", "forms"})
-
-
-def family_names(folders: Folders = ()) -> list[str]:
-    """Names of the families in the given folders and in the catalogue, sorted."""
-    return sorted({path.parent.name for folder in _searched(folders) for path in folder.glob(f"*/{FAMILY}")})
-
-
-def _searched(folders: Folders) -> list[Path]:
-    """The given folders, then the catalogue. Raises InputError for what is no path."""
-    try:
-        return [*map(Path, [folders] if isinstance(folders, str | PathLike) else folders), catalog_dir()]
-    except TypeError:
-        raise InputError(Problem("expected a list of folders", key="folders", value=repr(folders))) from None
 
 
 def load_family(name_or_path: str | PathLike[str], folders: Folders = ()) -> Family:
@@ -51,10 +38,8 @@ def load_family(name_or_path: str | PathLike[str], folders: Folders = ()) -> Fam
     """
     name_or_path = str(name_or_path)
     known = family_names(folders)
-    if name_or_path in known:
-        for folder in _searched(folders):
-            if (folder / name_or_path / FAMILY).is_file():
-                return read_family(folder / name_or_path / FAMILY)
+    if name_or_path in known and (own := file_of(name_or_path, folders)):
+        return read_family(own)
     path = Path(name_or_path)
     found: Path | None = None
     with suppress(OSError, ValueError):  # a name no file can have is just unknown
@@ -129,9 +114,11 @@ def parse_family(data: dict[str, Any], path: Path) -> Family:
         if form is not None:
             forms[name] = form
     _check_symbols(forms, problems)
-    for form in forms.values() if not problems else ():
+    for name, form in forms.items() if not problems else ():
         with top.collecting(""):
             check_sketch(form, form.figure.sketch, "figure.sketch")
+            if form.figure.graph:
+                forms[name] = read_from_graph(form, form.figure.graph)
     if problems:
         raise InputError(reported_once(problems, overlays))
     is_family = path.name == FAMILY

@@ -6,11 +6,14 @@ crossings of the grid, so that nothing has to be estimated.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from decimal import Decimal
+from itertools import product
 from math import gcd
 
 from variantgen.errors import InputError, Problem
+from variantgen.families.draw_rules import TiedValues
 from variantgen.families.family import Family, Form
 from variantgen.families.units import unit
 
@@ -42,12 +45,35 @@ def _common(first: Decimal, second: Decimal) -> Decimal:
 def with_graph(family: Family) -> Family:
     """The family with the rate and the acceleration of the first driver told by a graph.
 
-    Raises InputError for a form that gives not both by numbers of their own, and for data that no grid shows.
+    Raises InputError for a form that gives not both by numbers of their own, and as :func:`read_from_graph` does.
     """
-    return replace(family, forms={name: _with_graph(form) for name, form in family.forms.items()})
+    return replace(family, forms={name: read_from_graph(form, _pair(form)) for name, form in family.forms.items()})
 
 
-def _with_graph(form: Form) -> Form:
+def read_from_graph(form: Form, names: Sequence[str]) -> Form:
+    """The form with a rate and its acceleration told by a graph: of their values those are drawn that a grid shows.
+
+    Raises InputError for names that are none of such a pair, and where no values are left.
+    """
+    first, *others = (*names, "")
+    if len(names) != 2 or not {*names} <= form.parameters.keys() or not _is_derivative(form, first, others[0]):
+        remedy = 'such as ["omega_OA", "epsilon_OA"]'
+        said = "expected the parameters of a rate and of its acceleration"
+        raise InputError(Problem(said, key="graph", value=", ".join(names), remedy=remedy))
+    pair = first, others[0]
+    values = product(*(form.parameters[name].printed for name in pair))
+    ties = TiedValues(pair, tuple(two for two in values if grid_of(*map(abs, two)) is not None))
+    if form.ties and form.ties.names != pair:
+        ties = _joined(form.ties, ties)
+    if not ties.rows:
+        said = f"no values of {' and '.join(pair)} can be read from one grid"
+        remedy = "give them other values or ranges: the acceleration times 0.1 s at most as large as the rate"
+        raise InputError(Problem(said, key="graph", value=form.name, remedy=remedy))
+    return replace(form, ties=ties, figure=replace(form.figure, graph=pair))
+
+
+def _pair(form: Form) -> tuple[str, str]:
+    """The rate and the acceleration of the first driver, by the names of their parameters."""
     names = [
         name
         for template in form.drivers[:1]
@@ -58,17 +84,19 @@ def _with_graph(form: Form) -> Form:
     if len(names) != 2 or len(pairs) != 1:
         said = "the first driver has not a velocity and an acceleration of its own"
         raise InputError(Problem(said, key="graph", value=form.name, remedy="choose another form"))
-    rate, acceleration = (form.parameters[name].printed for name in pairs[0])
-    for r in rate:
-        for a in acceleration:
-            if grid_of(abs(r), abs(a)) is None:
-                said = f"{pairs[0][0]} = {r} and {pairs[0][1]} = {a} cannot be read from one grid"
-                remedy = "set both, or narrow their ranges: the acceleration times 0.1 s at most as large as the rate"
-                raise InputError(Problem(said, key="graph", value=form.name, remedy=remedy))
-    return replace(form, figure=replace(form.figure, graph=pairs[0]))
+    return pairs[0]
+
+
+def _joined(first: TiedValues, second: TiedValues) -> TiedValues:
+    """The rows of both that agree in the names that they share."""
+    names = tuple(dict.fromkeys(first.names + second.names))
+    tables = [[dict(zip(tied.names, row, strict=True)) for row in tied.rows] for tied in (first, second)]
+    rows = [one | other for one, other in product(*tables) if one | other == other | one]
+    return TiedValues(names, tuple(tuple(row[name] for name in names) for row in rows))
 
 
 def _is_derivative(form: Form, rate: str, acceleration: str) -> bool:
     first, second = form.parameters[rate].unit, form.parameters[acceleration].unit
-    assert first is not None and second is not None
+    if first is None or second is None:
+        return False
     return first.name.endswith("/s") and second == unit(f"{first.name}^2")

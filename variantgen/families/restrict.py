@@ -16,6 +16,7 @@ from variantgen.families.length_units import check_length_unit, in_unit
 from variantgen.families.nice import hand_friendly, no_nice_forms
 from variantgen.families.parameter import Parameter
 from variantgen.families.parameters import choose_words
+from variantgen.families.rate_graphs import read_from_graph
 from variantgen.families.units import UNITS, checked, parse_value
 
 
@@ -123,6 +124,8 @@ def _restricted(narrowing: _Narrowing) -> Family:
                 grids = (family.forms[form_name].parameters[name], parameter)
                 outside.setdefault(form_name, []).extend(_outside(parameters[name], fixed[name], grids))
         narrowed[form_name] = replace(form, parameters=parameters)
+        if form.figure.graph and len(parameters) == len(form.parameters):
+            narrowed[form_name] = read_from_graph(narrowed[form_name], form.figure.graph)
     fitting = [name for name, form in narrowed.items() if not outside.get(name) and set(fixed) <= set(form.parameters)]
     for found in outside.values():
         advice = {"remedy": "choose form = " + " or ".join(f'"{name}"' for name in fitting)} if fitting else {}

@@ -119,7 +119,8 @@ class Drawing:
 
     A place z (m) on paper is drawn at ``scale * z + origin``. ``language`` is that of the words. ``beyond`` are the
     letters of points to which lines lead that lie outside the paper. ``lengthened`` says that a vector is drawn longer
-    than to scale, so that it is seen. ``rotations`` are the arcs of rotation among the lines.
+    than to scale, so that it is seen. ``rotations`` are the arcs of rotation among the lines. ``graphs`` is the height
+    of graphs below the figure of the mechanism.
     """
 
     width: float
@@ -133,6 +134,7 @@ class Drawing:
     beyond: tuple[Symbol, ...] = ()
     lengthened: bool = False
     rotations: tuple[RotationArc, ...] = ()
+    graphs: float = 0.0
 
     @cached_property
     def alt(self) -> str:

@@ -127,7 +127,7 @@ def figure_faults(drawing: Drawing) -> list[str]:
     found += [f"the label {name} lies on a line" for name in seen.crossed]
     if max(drawing.width, drawing.height) > _LONGEST * min(drawing.width, drawing.height):
         found.append(f"the figure is {drawing.width:.0f} by {drawing.height:.0f} units: too long")
-    if drawing.width > WIDEST or drawing.height > HIGHEST:
+    if drawing.width > WIDEST or drawing.height - drawing.graphs > HIGHEST:
         found.append(f"the figure is {drawing.width:.0f} by {drawing.height:.0f} units: too large")
     return found
 

@@ -32,6 +32,7 @@ _TURN, _LINES, _NUMBERS = 360, 30, 60  # degrees: the whole way, between lines, 
 _MOST = 5  # lines of the grid above zero
 _SAMPLES = 181
 _CLEAR = 1.2  # u between the grid and its numbers
+_HAIR = 0.4 * THIN  # lines of a grid, which no curve is taken for
 
 
 _Parts: TypeAlias = tuple[list[Line], list[Label]]
@@ -88,14 +89,14 @@ def _grid(across: _Axis, up: _Axis, titles: tuple[Formula, Formula], degrees: bo
     top, right = complex(0, up.length), complex(across.length, 0)
     for value, numbered in across.lines:
         foot = complex(across.at(float(value)), 0)
-        lines.append(_line(foot, foot + top, THIN))
+        lines.append(_line(foot, foot + top, _HAIR))
         if numbered:
             plain = language.decimal(value)
             number = Measured(plain, language.unit(unit("deg"))) if degrees else plain
             labels.append(_label(number, foot - 1.5j * _CLEAR, -0.5 - 1j))
     for value, numbered in up.lines:
         foot = complex(0, up.at(float(value)))
-        lines.append(_line(foot, foot + right, THIN))
+        lines.append(_line(foot, foot + right, _HAIR))
         if numbered:
             labels.append(_label(language.decimal(value), foot - _CLEAR, -1 - 0.5j))
     zero = complex(0, up.at(0.0))
@@ -160,6 +161,7 @@ def below(figure: Drawing, grids: Sequence[Drawing], said: Sequence[str]) -> Dra
             figure,
             width=width,
             height=figure.height + _GAP + added.height,
+            graphs=figure.graphs + _GAP + added.height,
             lines=lines,
             labels=tuple(labels),
             origin=figure.origin + rise,
@@ -207,7 +209,7 @@ def _range(values: Field) -> tuple[Decimal, Decimal, Decimal]:
 
 
 def _line(start: complex, end: complex, weight: float) -> Path:
-    return Path((start, end), Layer.GROUND if weight == THIN else Layer.LINK, weight)
+    return Path((start, end), Layer.GROUND if weight == _HAIR else Layer.LINK, weight)
 
 
 def _label(formula: Formula, at: complex, corner: complex) -> Label:

@@ -20,9 +20,11 @@ from variantgen.mechanism.rows import Placement
 from variantgen.mechanism.scene import fixed_points
 from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import Variant
+from variantgen.wording.formula import Formula
 from variantgen.wording.language import Language
 
 _FILM = 72.0  # diagonal of what the mechanism reaches in a film, u
+_BESIDE = 4.6  # between a moving point and its name, u
 _SAME = 1e-4  # distance below which two lines are the same, u
 
 
@@ -131,6 +133,32 @@ class Moving:
                 last = self._lines(index, paper)
             frames.append([line for line in last if Layer.GROUND < line.layer < Layer.MARK])
         return [line for line in resting if line.layer < Layer.MARK], frames, list(drawing.labels), paper
+
+    def names(self, labels: Sequence[Label], paper: Paper) -> list[tuple[Formula, ComplexField]]:
+        """The names of points among ``labels``, and where they stand in all positions (u), shape (K,) each.
+
+        Those of moving points keep off the links; those of points at rest stay where they are.
+        """
+        named = {self.language.symbol(name, self.variant.form.symbols): name for name in self.motion.z}
+        found: list[tuple[Formula, ComplexField]] = []
+        for label in labels:
+            name = next((name for symbol, name in named.items() if symbol == label.formula), None)
+            if name in self.paths:
+                found.append((label.formula, paper.at(self.motion.z[name]) + _BESIDE * self._free_side(name)))
+            elif name is not None:
+                found.append((label.formula, np.full(self.motion.size, label.at)))
+        return found
+
+    def _free_side(self, name: str) -> ComplexField:
+        """Unit vectors from a point to where its name does not lie on its links: away from them and somewhat aside."""
+        shown = shown_points(self.variant, self.asked)
+        bodies = [members for members in self.motion.scene.bodies.values() if name in members]
+        joined = sorted({p for members in bodies for p in members if p != name and p in shown})
+        rays = [self.motion.z[p] - self.motion.z[name] for p in joined]
+        size = self.motion.size
+        units = np.array([ray / np.abs(ray) for ray in rays if np.min(np.abs(ray)) > 0] or [np.full(size, -1.0)])
+        side = 0.8j * units[0] - np.mean(units, axis=0)
+        return np.asarray(side / np.where(np.abs(side) > 0, np.abs(side), 1.0))
 
 
 def _rounded(line: Line) -> tuple[object, ...]:

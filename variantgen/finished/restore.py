@@ -72,6 +72,10 @@ def restore(record: Manifest, folders: tuple[Path, ...]) -> Finished:
         raise InputError(
             Problem("the exam file does not have its hash", file=str(record.path), key="exam.text", remedy=remedy)
         )
+    if record.composed:
+        from variantgen.exam.composed_pools import folder_of  # figures and methods, which no other exam needs here
+
+        folders = (*folders, folder_of(record.composed))
     exam = parse_exam(record.exam_text, record.path.with_name("exam.toml"), folders)
     options: Mapping[str, str] = record.solutions or {"depth": NONE}
     known = {name: value for name, value in options.items() if name in Solutions.__dataclass_fields__}

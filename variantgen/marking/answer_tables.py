@@ -12,6 +12,7 @@ What a table says is kept as text, with the place where it stands; what cannot b
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -216,11 +217,17 @@ class _Tables:
 
     def _filled(self, sheet: Worksheet, head: int, columns: Mapping[int, tuple[int, int]]) -> None:
         ends = self.form.corrections(sheet.rows[head][1])
+        asked = Counter(problem for problem, _ in columns.values())
         for number, cells in sheet.rows[head + 1 :]:
             who = tuple(cell for cell in cells[: len(self.form.heads) - 1] if cell)  # code, id, name
             for column, (problem, answer) in columns.items():
                 if text := cell_of(cells, column):
                     self.answers.append(HandedIn(self._where(sheet, number), who, problem, answer, text))
+                points = column + asked[problem]
+                if sheet.computed and (text := cell_of(cells, points)) and (number, points) not in sheet.computed:
+                    remedy = "type what is to be added or taken away into the column \N{PLUS-MINUS SIGN}"
+                    why = "points typed over their formula are not read"
+                    self.left.append(NotMatched(self._where(sheet, number), f"{problem}: {text}"[:80], why, remedy))
             for column, problem in ends.items():
                 if text := cell_of(cells, column):
                     self.corrections.append(HandedIn(self._where(sheet, number), who, problem, "", text))

@@ -13,11 +13,12 @@ from collections import Counter, defaultdict
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
+from math import exp, fsum, lgamma
 
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.marking.causes import OTHER, Cause
+from variantgen.marking.diagnosis.causes import OTHER, Cause
 from variantgen.marking.marks import Marked, MarkedAnswer, Verdict
 
 _EXCHANGES = 9999
@@ -26,6 +27,7 @@ _FEWEST = 5  # students of a form with whom a comparison makes sense, or with on
 _ADVISED = 10  # students of a problem of whom advice makes sense
 _HARDLY = 0.05  # share of points
 _UNLIKELY = 0.01
+_ALIKE = 1e-7  # relative difference of probabilities that are the same but for rounding
 
 
 @dataclass(frozen=True)
@@ -103,7 +105,8 @@ def class_facts(marked: Marked, mirrored: Collection[tuple[int, int]] = ()) -> C
         by_form[item.problem, item.form].append(item)
     several = {number for number, _ in by_form if sum(other == number for other, _ in by_form) > 1}
     shares = [float(total.points / total.of) for total in totals if total.of]
-    problems = tuple(_problem(number, "", own, marks) for number, own in sorted(by_problem.items()))
+    points = {number: _points(own) for number, own in by_problem.items()}
+    problems = tuple(_problem(number, "", own, points) for number, own in sorted(by_problem.items()))
     forms = {(item.place, item.problem): item.form for item in marks}
     sides = {key: "mirrored" if key in mirrored else "" for key in forms}
     return ClassFacts(
@@ -111,7 +114,7 @@ def class_facts(marked: Marked, mirrored: Collection[tuple[int, int]] = ()) -> C
         len(totals),
         problems,
         tuple(
-            _problem(number, form, own, marks) for (number, form), own in sorted(by_form.items()) if number in several
+            _problem(number, form, own, points) for (number, form), own in sorted(by_form.items()) if number in several
         ),
         _equal_ones(by_problem, forms),
         _equal_ones(by_problem, sides),
@@ -121,10 +124,20 @@ def class_facts(marked: Marked, mirrored: Collection[tuple[int, int]] = ()) -> C
     )
 
 
-def _problem(number: int, form: str, own: Sequence[MarkedAnswer], marks: Sequence[MarkedAnswer]) -> ProblemFacts:
-    here = _points(own)
-    rest = _points([item for item in marks if item.problem != number])
-    pairs = np.array([(points, rest[place]) for place, points in here.items() if place in rest], dtype=float)
+def _problem(
+    number: int, form: str, own: Sequence[MarkedAnswer], points: Mapping[int, Mapping[int, float]]
+) -> ProblemFacts:
+    """The facts of a problem or of a form; ``points`` are those of all problems by number and place of the student."""
+    here = {item.place for item in own}
+    others = [by_place for other, by_place in points.items() if other != number]
+    pairs = np.array(
+        [
+            (points[number][place], sum(by_place.get(place, 0.0) for by_place in others))
+            for place in here
+            if any(place in by_place for by_place in others)
+        ],
+        dtype=float,
+    )
     by_answer: dict[str, list[MarkedAnswer]] = defaultdict(list)
     for item in own:
         by_answer[item.answer.quantity.name].append(item)
@@ -153,8 +166,8 @@ def _points(marks: Sequence[MarkedAnswer]) -> dict[int, float]:
 
 
 def _share(marks: Sequence[MarkedAnswer]) -> float:
-    most = sum(item.of for item in marks)
-    return float(sum(item.points for item in marks) / most) if most else 0.0
+    most = fsum(float(item.of) for item in marks)
+    return fsum(float(item.points) for item in marks if item.points) / most if most else 0.0
 
 
 def _correlation(pairs: NDArray[np.float64]) -> float | None:
@@ -167,10 +180,6 @@ def _correlation(pairs: NDArray[np.float64]) -> float | None:
 
 def _uneven(by_form: Mapping[tuple[int, str], Sequence[MarkedAnswer]], numbers: Sequence[int]) -> Iterator[Uneven]:
     """The answers that two forms of a problem ask for, where they differ more than chance makes one in a hundred."""
-    if not numbers:
-        return
-    from scipy.stats import fisher_exact  # a second of time: only where it is needed
-
     for number in numbers:
         forms = sorted(form for other, form in by_form if other == number)
         tables = {form: _right_and_others(by_form[number, form]) for form in forms}
@@ -181,9 +190,27 @@ def _uneven(by_form: Mapping[tuple[int, str], Sequence[MarkedAnswer]], numbers: 
         ]
         for first, second, name in sorted(pairs):
             counts = tables[first][name], tables[second][name]
-            probability = float(fisher_exact(counts)[1])
+            probability = _exact_test(counts)
             if probability * len(pairs) < _UNLIKELY:  # of so many questions one is answered wrongly by chance
                 yield Uneven(number, name, (first, second), counts, probability)
+
+
+def _exact_test(counts: tuple[tuple[int, int], tuple[int, int]]) -> float:
+    """Fisher's exact test: how probable it is that chance parts right ones as unevenly, or more, with these sums."""
+    (right, others), (second_right, second_others) = counts
+    size, all_right = right + others, right + second_right
+    whole = size + second_right + second_others
+    fewest = max(0, size + all_right - whole)
+    ways = {
+        k: exp(_log_ways(all_right, k) + _log_ways(whole - all_right, size - k) - _log_ways(whole, size))
+        for k in range(fewest, min(size, all_right) + 1)
+    }
+    return fsum(share for share in ways.values() if share <= ways[right] * (1.0 + _ALIKE))
+
+
+def _log_ways(whole: int, part: int) -> float:
+    """The logarithm of the number of ways to choose a part."""
+    return lgamma(whole + 1) - lgamma(part + 1) - lgamma(whole - part + 1)
 
 
 def _right_and_others(marks: Sequence[MarkedAnswer]) -> dict[str, tuple[int, int]]:

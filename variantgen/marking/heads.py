@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from variantgen.errors import InputError, Problem, nearest
@@ -102,7 +103,7 @@ def renamed(sheets: Sequence[Worksheet], columns: Mapping[str, str]) -> list[Wor
         for number, cells in sheet.rows[:TITLE_ROWS]:
             used |= named.keys() & {_one_line(cell) for cell in cells}
             first.append((number, [named.get(_one_line(cell), cell) for cell in cells]))
-        found.append(Worksheet((*first, *sheet.rows[TITLE_ROWS:]), sheet.title))
+        found.append(replace(sheet, rows=(*first, *sheet.rows[TITLE_ROWS:])))
     if unknown := [head for head in named if head not in used]:
         raise InputError(Problem("no table has such a column", key="--columns", value=head) for head in unknown)
     return found

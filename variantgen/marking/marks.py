@@ -16,12 +16,12 @@ from variantgen.exam.sheets import Answer
 from variantgen.families.quantities import Quantity
 from variantgen.finished.restore import Finished
 from variantgen.marking.answer_tables import NotMatched, ReadAnswers
-from variantgen.marking.causes import OTHER, Cause, Comparisons, cause_of
-from variantgen.marking.follow_through import FollowThrough
+from variantgen.marking.diagnosis.causes import OTHER, Cause, Comparisons, cause_of
+from variantgen.marking.diagnosis.follow_through import FollowThrough
+from variantgen.marking.diagnosis.neighbours import Neighbours
+from variantgen.marking.diagnosis.plausible_mistakes import OfProblem, mistakes_of
 from variantgen.marking.key import Key, is_right
 from variantgen.marking.matching import SIGNS, Correction, Typed, corrections, is_blank, matched
-from variantgen.marking.neighbours import Neighbours
-from variantgen.marking.plausible_mistakes import OfProblem, mistakes_of
 from variantgen.marking.typed_number import read_number
 from variantgen.marking.worth import worth_of
 
@@ -163,13 +163,14 @@ def _with_causes(finished: Finished, key: Key, marks: Sequence[MarkedAnswer]) ->
     classes = _classes(key)
     known: dict[tuple[int, str], Neighbours] = {}
     found: dict[tuple[int, int, str], Cause] = {}
+    sheets = {place: _on_sheet(key, place) for place, _ in wrong}
     for (place, number), own in wrong.items():
         group = number, own[0].form
         if group not in known:
             known[group] = Neighbours({other: key.answers(other, number) for other in classes[group]})
         near = known[group].of(place, [(item.answer, item.value) for item in own if item.value is not None])
         for item in own:
-            cause = _cause(key, item, mistakes[place, number])
+            cause = _cause(item, sheets[place], mistakes[place, number])
             if near is not None and cause.name in ("other", "rounding"):
                 cause = Cause("neighbour", key.record.sheets[near].code)
             found[place, number, item.answer.quantity.name] = cause
@@ -177,16 +178,18 @@ def _with_causes(finished: Finished, key: Key, marks: Sequence[MarkedAnswer]) ->
     return [replace(item, cause=found.get(own, item.cause)) for own, item in zip(keys, marks, strict=True)]
 
 
-def _cause(key: Key, item: MarkedAnswer, results: OfProblem) -> Cause:
+def _on_sheet(key: Key, place: int) -> dict[str, Answer]:
+    """The answers of a student's sheet by ``problem.quantity``."""
+    numbers = key.places[place]
+    return {f"{number}.{own.quantity.name}": own for number in numbers for own in key.answers(place, number)}
+
+
+def _cause(item: MarkedAnswer, sheet: Mapping[str, Answer], results: OfProblem) -> Cause:
     """The likeliest cause of one wrong answer."""
     assert item.value is not None, "a wrong answer has a value"
     name = item.answer.quantity.name
-    siblings = {
-        f"{number}.{other.quantity.name}": other
-        for number in key.places[item.place]
-        for other in key.answers(item.place, number)
-        if (number, other.quantity.name) != (item.problem, name)
-    }
+    siblings = dict(sheet)
+    del siblings[f"{item.problem}.{name}"]
     mistakes, parts = results
     return cause_of(item.value, item.answer, Comparisons(siblings, parts[name], mistakes[name]))
 
@@ -200,19 +203,24 @@ def _following(finished: Finished, marks: Sequence[MarkedAnswer]) -> list[Marked
     problems: dict[tuple[int, int], list[int]] = defaultdict(list)
     for i, item in enumerate(marks):
         problems[item.place, item.problem].append(i)
-    known: dict[tuple[str, tuple[Quantity, ...]], FollowThrough] = {}
-    for (place, number), own in problems.items():
-        answers = [marks[i].answer for i in own]
-        wrong = {k: v for k, i in enumerate(own) if (v := marks[i].value) is not None and _is_wrong(marks[i])}
-        copied = sum(_is_copied(marks[i]) for i in own)
-        if len(wrong) < 2 or copied >= _COPIED:
-            continue
-        group = marks[own[0]].form, tuple(answer.quantity for answer in answers)
-        rules = known.setdefault(group, FollowThrough(group[1]))
-        for k, earlier in rules.granted(finished.variant(place, number), answers, wrong).items():
-            names = ", ".join(answers[other].quantity.name for other in earlier)
-            cause = marks[own[k]].cause if _is_copied(marks[own[k]]) else Cause("from", names)  # a suspicion stays
-            found[own[k]] = replace(found[own[k]], verdict=Verdict.FOLLOW_THROUGH, cause=cause)
+    groups: dict[tuple[str, tuple[Quantity, ...]], list[tuple[int, int]]] = defaultdict(list)
+    wrong: dict[tuple[int, int], dict[int, float]] = {}
+    for student, own in problems.items():
+        values = {k: v for k, i in enumerate(own) if (v := marks[i].value) is not None and _is_wrong(marks[i])}
+        if len(values) > 1 and sum(_is_copied(marks[i]) for i in own) < _COPIED:
+            wrong[student] = values
+            groups[marks[own[0]].form, tuple(marks[i].answer.quantity for i in own)].append(student)
+    for (_, asked), students in groups.items():
+        cases = [
+            (finished.variant(*student), [marks[i].answer for i in problems[student]], wrong[student])
+            for student in students
+        ]
+        for student, granted in zip(students, FollowThrough(asked).granted_to(cases), strict=True):
+            own = problems[student]
+            for k, earlier in granted.items():
+                names = ", ".join(asked[other].name for other in earlier)
+                cause = marks[own[k]].cause if _is_copied(marks[own[k]]) else Cause("from", names)  # a suspicion stays
+                found[own[k]] = replace(found[own[k]], verdict=Verdict.FOLLOW_THROUGH, cause=cause)
     return found
 
 

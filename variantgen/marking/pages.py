@@ -6,13 +6,15 @@ from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from decimal import Decimal
 from fractions import Fraction
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
 from markupsafe import Markup
 
 from variantgen.exam.exam_file import Exam
-from variantgen.families.quantities import split_name
+from variantgen.families.family import Form
+from variantgen.families.quantities import Quantity, split_name
 from variantgen.finished.restore import Finished
 from variantgen.marking.class_statistics import Advice, ProblemFacts, class_facts
 from variantgen.marking.marks import Marked, MarkedAnswer, Verdict
@@ -91,10 +93,9 @@ def _common(exam: Exam, language: Language) -> dict[str, Any]:
 
 def _answer(finished: Finished, item: MarkedAnswer, language: Language) -> dict[str, Any]:
     """One row of a student's page."""
-    form = dict(finished.variant(item.place, item.problem).form.symbols)
     words = language.words("marking")
     return {
-        "symbol": Markup(to_mathml(language.quantity(item.answer.quantity, form))),  # noqa: S704
+        "symbol": _symbol(finished.variant(item.place, item.problem).form, item.answer.quantity, language),
         "unit": Markup(to_mathml(language.unit(item.answer.unit))) if item.answer.unit.name != "1" else "",  # noqa: S704
         "text": item.text if item.value is None else item.text.replace("-", "\N{MINUS SIGN}"),
         "right": _number(str(language.answer(item.answer.quantity, item.answer.value).text), language),
@@ -104,6 +105,12 @@ def _answer(finished: Finished, item: MarkedAnswer, language: Language) -> dict[
         "points": _number(shown(item.points), language),
         "of": _number(shown(item.of), language),
     }
+
+
+@lru_cache(maxsize=1000)
+def _symbol(form: Form, quantity: Quantity, language: Language) -> Markup:
+    """The symbol of a quantity of a form as markup; students of a class have few different ones."""
+    return Markup(to_mathml(language.quantity(quantity, dict(form.symbols))))  # noqa: S704
 
 
 def _cause(finished: Finished, item: MarkedAnswer, language: Language) -> str:
@@ -116,8 +123,7 @@ def _cause(finished: Finished, item: MarkedAnswer, language: Language) -> str:
     found = []
     for name in cause.detail.split(", "):
         number, dot, other = name.partition(".") if cause.name == "other_answer" else ("", "", name)
-        form = dict(finished.variant(item.place, int(number or item.problem)).form.symbols)
-        symbol = Markup(to_mathml(language.quantity(split_name(other), form)))  # noqa: S704
+        symbol = _symbol(finished.variant(item.place, int(number or item.problem)).form, split_name(other), language)
         found.append(Markup("{}{} {}").format(number, dot, symbol) if number else symbol)
     return Markup("{}: {}").format(words[f"cause.{cause.name}"], Markup(", ").join(found))
 

@@ -9,11 +9,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
+from functools import lru_cache
 from pathlib import Path
 
 from variantgen.exam.manifest import Manifest
 from variantgen.marking.answer_tables import NotMatched
-from variantgen.marking.causes import Cause
+from variantgen.marking.diagnosis.causes import Cause
 from variantgen.marking.marks import Marked, MarkedAnswer, Verdict
 from variantgen.outputs.files.records import csv_rows, safe_cell
 
@@ -59,6 +60,7 @@ def without_words(marked: Marked) -> Marked:
     return replace(marked, marks=tuple(found))
 
 
+@lru_cache(maxsize=1000)
 def shown(points: Fraction) -> str:
     """Points as a decimal number of at most four places."""
     return f"{float(points):.4f}".rstrip("0").rstrip(".")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from variantgen.marking.causes import Cause
+from variantgen.marking.diagnosis.causes import Cause
 from variantgen.wording.distractors import mistake_text
 from variantgen.wording.language import Language
 

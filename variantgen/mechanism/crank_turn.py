@@ -146,15 +146,18 @@ class CrankTurn:
             time = 1.0 / np.abs(self._rate[:, None])
         placed = np.isin(found.outcome, (Outcome.SOLVED, Outcome.DEAD_POINT)).reshape(self.size, GRID)
         follows = placed[:, 0].copy()
-        for name, velocity in found.v.items():
-            z, v, close = (table.reshape(self.size, GRID) for table in (found.z[name], velocity, near[name]))
-            for step, meant, share in (
-                (close - z, v * time * _NEARBY, _DEVIATES),
-                (np.roll(z, -1, axis=1) - z, 0.5 * (np.roll(v, -1, axis=1) + v) * time * (FULL_TURN / GRID), _JUMPS),
-            ):
-                change, mean = (np.where(np.isfinite(step * meant), table, 0.0) for table in (step, meant))
-                most = np.maximum(np.max(np.abs(change), axis=1), np.max(np.abs(mean), axis=1))[:, None]
-                follows &= np.all(np.abs(change - mean) <= share * most + _NOTHING, axis=1)
+        shape = (-1, self.size, GRID)
+        tables = (np.stack([table[name] for name in found.v]) for table in (found.z, found.v, near))
+        places, speeds, closer = (table.reshape(shape) for table in tables)
+        rate = speeds * time
+        for step, meant, share in (
+            (closer - places, rate * _NEARBY, _DEVIATES),
+            (_next(places) - places, 0.5 * (_next(rate) + rate) * (FULL_TURN / GRID), _JUMPS),
+        ):
+            known = np.isfinite(step * meant)
+            change, mean = np.where(known, step, 0.0), np.where(known, meant, 0.0)
+            most = np.max(np.maximum(np.abs(change), np.abs(mean)), axis=2, keepdims=True)
+            follows &= np.all(np.abs(change - mean) <= share * most + _NOTHING, axis=(0, 2))
         return follows, ~np.all(placed, axis=1)
 
     def _path(self, variant: int) -> _Path | None:
@@ -168,6 +171,11 @@ class CrankTurn:
                 found = (continuation, states) if stop is None else None
             self._paths[variant] = found
         return self._paths[variant]
+
+
+def _next(table: ComplexField) -> ComplexField:
+    """Each value's successor on the grid, the last axis."""
+    return np.concatenate([table[..., 1:], table[..., :1]], axis=-1)
 
 
 # The last turn: several values of one turn are asked one after the other, and going round takes most of the time.

@@ -1,8 +1,10 @@
 """Numbers of a full turn of the crank: extremes and where they lie, to and fro ways, mean values; shape (N,) each.
 
 An extreme is looked for on a regular grid of the crank's angle; about each that may be the largest, the quantity is
-interpolated by a polynomial in Chebyshev's points, twice, the second time in a twentieth of the interval. What has no
-value (a crank that cannot make the turn, a point that does not move to and fro on a straight line) is infinite.
+interpolated by a polynomial in Chebyshev's points, in a part of a step of the grid about the top of the parabola
+through three values. Where the polynomial does not settle (a kink, a peak at the end of that part) more follow, over
+the whole step and each in a fifth of the one before. What has no value (a crank that cannot make the turn, a quantity
+that does not change, a point that does not move to and fro) is infinite.
 """
 
 from __future__ import annotations
@@ -23,14 +25,20 @@ _STEP = FULL_TURN / GRID
 _DEGREE = 8
 _NODES = np.cos(np.pi * np.arange(_DEGREE + 1) / _DEGREE)
 _TO_COEFFICIENTS = np.linalg.inv(chebyshev.chebvander(_NODES, _DEGREE))
-_FINE = np.linspace(-1.0, 1.0, 401)
+_FINE = np.linspace(-1.0, 1.0, 41)
 _AT_FINE = chebyshev.chebvander(_FINE, _DEGREE)
-_CLOSER = 0.05
+_SLOPE = chebyshev.chebder(np.eye(_DEGREE + 1), axis=1)  # what derivatives make of the coefficients
+_BEND = chebyshev.chebder(_SLOPE, axis=1)
+_PART, _CLOSER = 0.25, 0.2  # of a step of the grid: about the parabola's top; each time again, where need be
+_TIMES = 13  # until a kink is known to ten digits
+_SETTLED = 1e-12  # relative: the last two coefficients of a polynomial that leaves nothing out
+_INSIDE = 0.95  # of the part: peaks farther out may lie beyond it
 _NEAR = 0.05  # of the range: how far below the largest value of the grid another may lie and be it
 _SAME = 1e-9  # relative: of two equally large values the first counts
 _CONSTANT = 1e-9  # relative range of what does not change
 _STOP = 1e-7  # of the largest speed: less is at rest
 _ON_LINE = 1e-7  # of the way
+_APART = 1e-7  # rad: between two places at which a point is at rest
 _GAUSS, _WEIGHTS = np.polynomial.legendre.leggauss(20)
 _PARTS = 8  # pieces of a turn, at least, that are integrated one by one
 
@@ -44,7 +52,7 @@ class Extreme:
 
 
 def largest(turn: CrankTurn, quantity: Scalar) -> Extreme:
-    """The largest value over the turn. The angle is infinite where the quantity does not change."""
+    """The largest value over the turn; infinite, as its angle, where the quantity does not change."""
     variants = np.repeat(np.arange(turn.size), GRID)
     table = quantity(turn.grid, variants).reshape(turn.size, GRID)
     top = np.max(table, axis=1, keepdims=True)
@@ -55,10 +63,10 @@ def largest(turn: CrankTurn, quantity: Scalar) -> Extreme:
     constant = spread[:, 0] <= _CONSTANT * np.max(np.abs(table), axis=1)
     peaks &= (turn.complete & ~constant)[:, None]
     own, place = np.nonzero(peaks)
-    value = np.where(turn.complete, top[:, 0], np.inf)
+    value = np.where(turn.complete & ~constant, top[:, 0], np.inf)
     angle = np.full(turn.size, np.inf)
     if own.size:
-        at, height = _refined(turn, quantity, own, place)
+        at, height = _refined(turn, quantity, own, place, table)
         best = np.full(turn.size, -np.inf)
         np.maximum.at(best, own, height)
         first = height >= best[own] - _SAME * np.abs(best[own])
@@ -73,33 +81,54 @@ def smallest(turn: CrankTurn, quantity: Scalar) -> Extreme:
     return Extreme(np.where(turn.complete, -found.value, np.inf) + 0.0, found.angle)
 
 
-def _refined(turn: CrankTurn, quantity: Scalar, own: NDArray[np.intp], place: NDArray[np.intp]) -> tuple[Field, Field]:
-    """Angles (0 to 2 pi) and heights of the peaks near places of the grid, one of the variant ``own`` each."""
-    centre: Field = np.asarray(place * _STEP, dtype=np.float64)
+def _refined(
+    turn: CrankTurn, quantity: Scalar, own: NDArray[np.intp], place: NDArray[np.intp], table: Field
+) -> tuple[Field, Field]:
+    """Angles (0 to 2 pi) and heights of the peaks near places of the grid, one of the variant ``own`` each.
+
+    ``table`` has the values on the grid, shape (N, GRID).
+    """
+    before, top, after = (table[own, (place + k) % GRID] for k in (-1, 0, 1))
+    bend = before - 2 * top + after
+    aside = 0.5 * (before - after) / np.where(bend < 0, bend, -np.inf)
+    centre: Field = (place + aside) * _STEP
+    centre, height, settled = _polynomial(turn, quantity, own, centre, _PART * _STEP)
+    centre[~settled] = place[~settled] * _STEP
     width = _STEP
-    for _ in range(2):
-        angles = centre[:, None] + width * _NODES
-        variants = np.repeat(own, len(_NODES))
-        values = quantity(turn.at(variants, angles.ravel()), variants).reshape(angles.shape)
-        coefficients = values @ _TO_COEFFICIENTS.T
-        peak = _FINE[np.argmax(coefficients @ _AT_FINE.T, axis=1)]
-        peak = _risen(coefficients, peak)
-        centre, width = centre + width * peak, width * _CLOSER
-    height = np.sum(chebyshev.chebvander(peak, _DEGREE) * coefficients, axis=1)
+    for _ in range(_TIMES):
+        few = np.flatnonzero(~settled)
+        if not few.size:
+            break
+        centre[few], height[few], settled[few] = _polynomial(turn, quantity, own[few], centre[few], width)
+        width *= _CLOSER
     angle = np.mod(centre, FULL_TURN)
     return np.where(FULL_TURN - angle < _SAME, 0.0, angle), height
 
 
+def _polynomial(
+    turn: CrankTurn, quantity: Scalar, own: NDArray[np.intp], centre: Field, width: float
+) -> tuple[Field, Field, NDArray[np.bool_]]:
+    """Angle and height of the peak so far about a centre, and whether the polynomial has settled; shape (M,) each."""
+    angles = centre[:, None] + width * _NODES
+    variants = np.repeat(own, len(_NODES))
+    values = quantity(turn.at(variants, angles.ravel()), variants).reshape(angles.shape)
+    coefficients = values @ _TO_COEFFICIENTS.T
+    peak = _risen(coefficients, _FINE[np.argmax(coefficients @ _AT_FINE.T, axis=1)])
+    rest = np.max(np.abs(coefficients[:, -2:]), axis=1)
+    settled = (rest <= _SETTLED * np.max(np.abs(values), axis=1)) & (np.abs(peak) <= _INSIDE)
+    return centre + width * peak, np.sum(chebyshev.chebvander(peak, _DEGREE) * coefficients, axis=1), settled
+
+
 def _risen(coefficients: Field, place: Field) -> Field:
     """The roots of the derivatives of polynomials near ``place``, by Newton's method within the steps of the table."""
-    slope = chebyshev.chebder(coefficients, axis=1)
-    bend = chebyshev.chebder(slope, axis=1)
+    slope, bend = coefficients @ _SLOPE, coefficients @ _BEND
+    low, high = (np.clip(place + step, -1.0, 1.0) for step in (-0.05, 0.05))
     found = place
-    for _ in range(4):
-        down = np.sum(chebyshev.chebvander(found, slope.shape[1] - 1) * slope, axis=1)
-        curve = np.sum(chebyshev.chebvander(found, bend.shape[1] - 1) * bend, axis=1)
+    for _ in range(5):
+        powers = chebyshev.chebvander(found, _DEGREE - 1)
+        down, curve = np.sum(powers * slope, axis=1), np.sum(powers[:, :-1] * bend, axis=1)
         step = np.where(curve < 0, down / np.where(curve < 0, curve, 1.0), 0.0)
-        found = np.clip(found - step, np.maximum(place - 0.005, -1.0), np.minimum(place + 0.005, 1.0))
+        found = np.clip(found - step, low, high)
     return np.asarray(found)
 
 
@@ -124,7 +153,7 @@ def _stops(turn: CrankTurn, quantity: Scalar) -> tuple[NDArray[np.intp], Field]:
     own, place = np.nonzero(low)
     stops = np.empty(0)
     if own.size:
-        stops, height = _refined(turn, lambda motion, rows: -(quantity(motion, rows) ** 2), own, place)
+        stops, height = _refined(turn, lambda motion, rows: -(quantity(motion, rows) ** 2), own, place, -square)
         still = -height <= (_STOP * np.max(table, axis=1)[own]) ** 2
         own, stops = own[still], stops[still]
     return own, stops
@@ -192,26 +221,33 @@ def travel(turn: CrankTurn, target: str) -> Field:
     with np.errstate(invalid="ignore"):
         found = np.where(has, high.value - low.value, np.inf)
     if target in turn.grid.z and not np.all(has):
-        found[~has] = _chord(turn, target)[~has]
+        curved, ends = _ends_of_arc(turn, target, ~has)
+        first, last = (turn.at(curved, angles).z[target] for angles in ends)
+        found[curved] = np.abs(last - first)
     return found
 
 
-def _chord(turn: CrankTurn, point: str) -> Field:
-    """The distance of the two places at which a point is at rest: the ends of an arc on which it goes to and fro."""
+def _ends_of_arc(
+    turn: CrankTurn, point: str, wanted: NDArray[np.bool_]
+) -> tuple[NDArray[np.intp], tuple[Field, Field]]:
+    """The variants of the wanted ones, shape (N,), whose point is at rest twice in a turn, and both angles there.
+
+    These are the ends of a curve on which it goes to and fro, as the pin of a rocker does on its arc.
+    """
     own, stops = _stops(turn, lambda motion, _: np.abs(motion.v[point]))
-    found = np.full(turn.size, np.inf)
-    for variant in range(turn.size):
-        angles = np.unique(np.round(stops[own == variant], 9))
-        if turn.complete[variant] and len(angles) == 2:
-            ends = turn.at(np.array([variant, variant]), angles).z[point]
-            found[variant] = abs(ends[1] - ends[0])
-    return found
+    ends = {variant: np.sort(stops[own == variant]) for variant in np.flatnonzero(wanted).tolist()}
+    ends = {variant: angles[np.diff(angles, prepend=-1.0) > _APART] for variant, angles in ends.items()}
+    curved = [variant for variant, angles in ends.items() if turn.complete[variant] and len(angles) == 2]
+    pairs = np.array([ends[variant] for variant in curved]).reshape(-1, 2)
+    return np.array(curved, dtype=np.intp), (pairs[:, 0], pairs[:, 1])
 
 
 def time_ratio(turn: CrankTurn, target: str) -> Field:
     """The longer of the times there and back over the shorter one, shape (N,)."""
     high, low, has = to_and_fro(turn, target)
-    with np.errstate(all="ignore"):
-        there = np.mod(high.angle - low.angle, FULL_TURN)
-        back = FULL_TURN - there
-        return np.where(has, np.maximum(there, back) / np.minimum(there, back), np.inf)
+    there = np.where(has, np.mod(np.where(has, high.angle - low.angle, 0.0), FULL_TURN), 0.0)
+    if target in turn.grid.z and not np.all(has):
+        curved, (first, last) = _ends_of_arc(turn, target, ~has)
+        there[curved] = last - first
+    back = FULL_TURN - there
+    return np.where(there > 0, np.maximum(there, back) / np.where(there > 0, np.minimum(there, back), 1.0), np.inf)

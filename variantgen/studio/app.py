@@ -19,6 +19,7 @@ from variantgen.studio.documents.document import ConflictError, RefusedError
 from variantgen.studio.documents.edits import plain
 from variantgen.studio.frame import error_page, wants_page
 from variantgen.studio.pages import PAGES
+from variantgen.studio.requests import studio_of
 from variantgen.studio.security import BodyError, Guard
 from variantgen.studio.studio import Studio, UnknownKeyError
 from variantgen.studio.words import ASSETS
@@ -40,17 +41,17 @@ def make_app(studio: Studio, token: str, port: int) -> ASGIApp:
                 task.cancel()
             studio.close()
 
-    routes = [route for page in PAGES for route in page.routes(studio)]
     handlers = {VariantgenError: _refusal, BodyError: _given_up, 404: _not_found, Exception: _failed}
     app = Starlette(
         routes=[
             Mount("/static", StaticFiles(directory=ASSETS / "static")),
-            Route("/events", _events(studio)),
-            *routes,
+            Route("/events", _events),
+            *(route for page in PAGES for route in page.ROUTES),
         ],
         exception_handlers=handlers,  # type: ignore[arg-type]  # handlers are more special than their type says
         lifespan=life,
     )
+    app.state.studio = studio
     return Guard(app, token, port)
 
 
@@ -61,13 +62,11 @@ async def _warm(studio: Studio) -> None:
     await studio.draw(lambda: importlib.import_module("variantgen.figure.build"))
 
 
-def _events(studio: Studio):  # type: ignore[no-untyped-def]  # noqa: ANN202  # an endpoint of Starlette
-    async def events(request: Request) -> Response:
-        last = request.headers.get("last-event-id", "")
-        stream = studio.events.listen(int(last) if last.isascii() and last.isdigit() and len(last) < 12 else None)
-        return StreamingResponse(stream, media_type="text/event-stream")
-
-    return events
+async def _events(request: Request) -> Response:
+    """What happens from now on; for a window that returns, what happened since."""
+    last = request.headers.get("last-event-id", "")
+    number = int(last) if last.isascii() and last.isdigit() and len(last) < 12 else None
+    return StreamingResponse(studio_of(request).events.listen(number), media_type="text/event-stream")
 
 
 async def _refusal(request: Request, error: VariantgenError) -> Response:

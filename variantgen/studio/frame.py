@@ -15,9 +15,9 @@ from starlette.responses import HTMLResponse, Response
 from variantgen.studio.documents.document import Document
 from variantgen.studio.documents.journal import FileChange
 from variantgen.studio.studio import Studio
-from variantgen.studio.summary import USUAL_CLASS, summary
+from variantgen.studio.summary import summary
 from variantgen.studio.words import ASSETS, LANGUAGES, PageWords, page_words
-from variantgen.studio.workspace import BUILDS, ROSTER
+from variantgen.studio.workspace import BUILDS, ROSTER, USUAL_CLASS
 
 STEPS = ("choose", "compose", "roster", "build", "mark")
 TOOLS = ("author", "play")
@@ -79,7 +79,7 @@ def render(
         "command": command,
         "exam": document and document.key,
         "steps": _steps(words, studio, document),
-        "tools": _tools(words),
+        "tools": _tools(words, document),
         **_state(words, studio, document),
     }
     answer = HTMLResponse(_environment().get_template(f"{page}.html.j2").render(inside), status)
@@ -168,9 +168,10 @@ def _steps(words: PageWords, studio: Studio, document: Document | None) -> list[
     ]
 
 
-def _tools(words: PageWords) -> list[dict[str, str]]:
-    found = [name for name in TOOLS if _is_there(name)]
-    return [{"name": name, "address": f"/{name}", "word": words.of("frame")[name]} for name in found]
+def _tools(words: PageWords, document: Document | None) -> list[dict[str, str]]:
+    """The pages that need no exam; beside one they keep it."""
+    found, beside = [name for name in TOOLS if _is_there(name)], f"/{document.key}" if document else ""
+    return [{"name": name, "address": f"{beside}/{name}", "word": words.of("frame")[name]} for name in found]
 
 
 @cache

@@ -11,13 +11,14 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from variantgen.errors import InputError, Problem
-from variantgen.studio.summary import USUAL_CLASS
-from variantgen.studio.workspace import Workspace
+from variantgen.studio.workspace import USUAL_CLASS, Workspace
 
 if TYPE_CHECKING:
     from variantgen.builder.preview import DrawnClass
     from variantgen.exam.exam_file import Exam
     from variantgen.exam.roster import Student
+    from variantgen.exam.sheets import Sheet
+    from variantgen.finished.restore import Finished
     from variantgen.outputs.single.problem_page import Format
     from variantgen.outputs.typst.typesetter import Typesetter
 
@@ -45,18 +46,34 @@ class Previews:
 
     def pages(self, exam: Exam, students: Sequence[Student], place: int, kind: str) -> tuple[str, int]:
         """The name and the number of the pages of a student, by the place in the class. Raises InputError."""
-        from variantgen.exam.manifest import made_with
-
-        listed = repr([(student.id, student.name, student.group) for student in students])
-        drawn_for = f"{exam.text}\n{exam.seed}\n{listed}\n{sorted(made_with(exam).items())}"
+        drawn_for = _drawn_for(exam, students)
         name = hashlib.sha256(f"{drawn_for}\n{place}\n{kind}".encode()).hexdigest()[:20]
         with self._lock:
             if name not in self._kept:
-                self._kept[name] = self._made(exam, students, place, kind, "svg", drawn_for)
-                while len(self._kept) > _KEPT:
-                    self._kept.popitem(last=False)
+                self._keep(name, self._made(exam, students, place, kind, "svg", drawn_for))
             self._kept.move_to_end(name)
             return name, len(self._kept[name])
+
+    def finished_pages(self, finished: Finished, place: int, kind: str) -> tuple[str, int]:
+        """The name and the number of the pages of a sheet that was built. Raises InputError."""
+        from variantgen.outputs.single.one_sheet import sheet_pages
+        from variantgen.outputs.typst.typesetter import typesetter
+
+        record = finished.record
+        name = hashlib.sha256(f"{record.exam_id}\n{record.path}\n{place}\n{kind}".encode()).hexdigest()[:20]
+        with self._lock:
+            if name not in self._kept:
+                if self._engine is None:
+                    self._engine = self._open.enter_context(typesetter())
+                exam = _with_solutions(finished.exam) if kind == "solution" else finished.exam
+                sheet = finished.sheets([place])[0]
+                self._keep(name, sheet_pages(exam, sheet, self._engine, "svg", kind == "solution"))
+            return name, len(self._kept[name])
+
+    def sheet(self, exam: Exam, students: Sequence[Student], place: int) -> Sheet:
+        """What is on the sheet of a student, by the place in the class. Raises InputError."""
+        with self._lock:
+            return self._sheet(exam, students, place, _drawn_for(exam, students))
 
     def page(self, name: str, number: int) -> bytes:
         """A page that was made. Raises InputError for one that was not, or is forgotten."""
@@ -68,19 +85,41 @@ class Previews:
     def _made(
         self, exam: Exam, students: Sequence[Student], place: int, kind: str, form: Format, drawn_for: str
     ) -> list[bytes]:
-        from variantgen.builder.preview import DrawnClass
         from variantgen.outputs.single.one_sheet import sheet_pages
         from variantgen.outputs.typst.typesetter import typesetter
 
         if self._engine is None:
             self._engine = self._open.enter_context(typesetter())
-        if kind == "solution" and not exam.solutions.wanted:
-            exam = replace(exam, solutions=replace(exam.solutions, depth="full"))
+        if kind == "solution":
+            exam = _with_solutions(exam)
+        return sheet_pages(exam, self._sheet(exam, students, place, drawn_for), self._engine, form, kind == "solution")
+
+    def _sheet(self, exam: Exam, students: Sequence[Student], place: int, drawn_for: str) -> Sheet:
+        from variantgen.builder.preview import DrawnClass
+
         if self._drawn is None or self._drawn[0] != drawn_for:
             self._drawn = None
             self._drawn = drawn_for, DrawnClass(exam, students)
-        return sheet_pages(exam, self._drawn[1].sheet(place), self._engine, form, kind == "solution")
+        return self._drawn[1].sheet(place)
+
+    def _keep(self, name: str, pages: list[bytes]) -> None:
+        self._kept[name] = pages
+        while len(self._kept) > _KEPT:
+            self._kept.popitem(last=False)
 
     def close(self) -> None:
         """Remove what the engine has on disk."""
         self._open.close()
+
+
+def _with_solutions(exam: Exam) -> Exam:
+    """An exam that has solutions, be it for the look of them alone."""
+    return exam if exam.solutions.wanted else replace(exam, solutions=replace(exam.solutions, depth="full"))
+
+
+def _drawn_for(exam: Exam, students: Sequence[Student]) -> str:
+    """All that the variants of a class depend on."""
+    from variantgen.exam.manifest import made_with
+
+    listed = repr([(student.id, student.name, student.group) for student in students])
+    return f"{exam.text}\n{exam.seed}\n{listed}\n{sorted(made_with(exam).items())}"

@@ -7,14 +7,21 @@ import threading
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
-from typing import TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from variantgen.errors import InputError, Problem
-from variantgen.studio.builds import Builds
+from variantgen.studio.builds import Builds, FinishedBuild
 from variantgen.studio.documents.document import Document
 from variantgen.studio.events import Events
+from variantgen.studio.preview import Previews
 from variantgen.studio.workspace import Workspace
+
+if TYPE_CHECKING:
+    from variantgen.studio.marking.folder import MarkingFolder
+    from variantgen.studio.marking.marked import MarkedBuild
+    from variantgen.studio.roster.table import ClassTables
 
 T = TypeVar("T")
 _WATCH_SECONDS = 1.0
@@ -32,20 +39,20 @@ class Studio:
     """A running studio.
 
     Figures are drawn by one thread and sheets by another, so that a slider does not wait for a page; both take their
-    turns with the server, which only reads and writes. What pages have to end stands in ``at_end``.
+    turns with the server, which only reads and writes.
     """
 
     workspace: Workspace
     events: Events = field(default_factory=Events)
     figures: ThreadPoolExecutor = field(default_factory=lambda: ThreadPoolExecutor(1, "figures"))
     sheets: ThreadPoolExecutor = field(default_factory=lambda: ThreadPoolExecutor(1, "sheets"))
-    at_end: list[Callable[[], None]] = field(default_factory=list)
+    previews: Previews = field(default_factory=Previews)
+    _markings: dict[Path, tuple[MarkingFolder, MarkedBuild]] = field(default_factory=dict)
     _documents: dict[Path, Document] = field(default_factory=dict)
     _lock: threading.Lock = field(default_factory=threading.Lock)
 
     def __post_init__(self) -> None:
         self.builds = Builds(self.workspace, self.events)
-        self.at_end.append(self.builds.close)
 
     def document(self, key: str) -> Document:
         """The exam of a key. Raises UnknownKeyError."""
@@ -57,6 +64,24 @@ class Studio:
                 journal = self.workspace.state("journals", key)
                 self._documents[path] = Document(key, path, self.workspace.folder, journal)
             return self._documents[path]
+
+    @cached_property
+    def class_tables(self) -> ClassTables:
+        """The table of a class that was brought to the page Roster."""
+        from variantgen.studio.roster.table import ClassTables
+
+        return ClassTables(self.workspace)
+
+    def marking(self, build: FinishedBuild) -> tuple[MarkingFolder, MarkedBuild]:
+        """What the marking of a build is made from, and its marks. Raises InputError for links."""
+        from variantgen.studio.marking.folder import MarkingFolder
+        from variantgen.studio.marking.marked import MarkedBuild
+
+        with self._lock:
+            if build.folder not in self._markings:
+                folder = MarkingFolder(self.workspace, build)
+                self._markings[build.folder] = folder, MarkedBuild(self.workspace, folder)
+            return self._markings[build.folder]
 
     async def draw(self, work: Callable[[], T]) -> T:
         """Do work on the thread of figures."""
@@ -93,5 +118,5 @@ class Studio:
         self.events.end()
         for pool in (self.figures, self.sheets):
             pool.shutdown(wait=True, cancel_futures=True)
-        for end in self.at_end:
-            end()
+        self.builds.close()
+        self.previews.close()

@@ -23,10 +23,11 @@ STATE = ".studio"
 ROSTER = "roster.csv"
 BUILDS = "builds"
 MANIFEST = "manifest.json"
+USUAL_CLASS = 30  # numbered variants where there is no roster
 # Words that begin the addresses of other things than exams.
 _TAKEN = frozenset(
-    {"static", "figure", "events", "author", "play", "exams", "language", "stars", "example", "families", "builds"}
-)
+    ("static", "figure", "events", "author", "play", "motion", "exams", "language", "stars", "example", "families")
+) | {BUILDS}
 _KEY = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]{0,39}")
 _NAME = re.compile(r"[^\W_][\w ()-]{0,59}", re.UNICODE)
 _PROBLEM = re.compile(r"^\s*\[\[\s*problem\s*\]\]", re.MULTILINE)
@@ -69,6 +70,10 @@ class Workspace:
             except InputError as error:
                 found[path.name] = error.problems[0].message
         return found
+
+    def families_option(self) -> list[str]:
+        """What tells commands on builds where the families of the folder are; nothing where it has none."""
+        return ["--families", str(self.folder)] if any(self.folder.glob("*/family.toml")) else []
 
     def state(self, *parts: str) -> Path:
         """A place for what the studio itself keeps; its folder is made. Parts are keys and names of the program.

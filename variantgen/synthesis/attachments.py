@@ -71,6 +71,8 @@ def _on_block(draft: Draft, link: Link, other: int) -> Attachment:
     draft.polar(point, link.start, distance, angle, {"towards": end, "angle": f"{turn}*deg"})
     slot = next(fields for kind, fields in draft.joints if kind == "slot" and fields["point"] == link.start)
     slot["sleeve"] = body
+    if start in draft.hints.get("hidden", ()):
+        return Attachment(point, "arm_across_groove", facts, link.start)
     return Attachment(point, "arm_across", facts | {"bar": start + end}, link.start)
 
 
@@ -89,6 +91,7 @@ def line_on(draft: Draft, number: int) -> Link:
         draft.hint("hidden", end)
     body = f"slider{link.start}"
     draft.bodies[body] = [link.start, *ends]
+    draft.bars.append((ends[1], ends[0]))
     draft.joint("translation", body=body)
     draft.hint("grooves", ends)
     draft.symbols[body] = ""

@@ -249,7 +249,8 @@ def _refuse_silent_influence(
 
 def _change(quantity: Quantity, value: NDArray[np.float64], base: NDArray[np.float64]) -> NDArray[np.float64]:
     """Difference of two values; for an angle the turn between them."""
-    return np.angle(np.exp(1j * (value - base))) if quantity.is_angle else value - base
+    with np.errstate(invalid="ignore"):  # what has no value is infinite, before and after
+        return np.angle(np.exp(1j * (value - base))) if quantity.is_angle else value - base
 
 
 def verification(motion: Motion, order: int) -> Passed:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from variantgen.families.family import Form
-from variantgen.families.quantities import split_name
+from variantgen.families.quantities import Quantity, split_name
 from variantgen.families.rate_graphs import grid_of
 from variantgen.families.units import unit
 from variantgen.variants.variant import Variant
@@ -18,10 +20,23 @@ def graph_sentences(form: Form, language: Language) -> Text:
     if graph := form.figure.graph:
         before, after = words["by_graph"].split("{symbol}")
         found += [" " + before, language.symbol(form.parameters[graph[0]].symbol, form.symbols), after]
-    for name in form.figure.sketch:
-        before, after = words["sketch"].split("{symbol}")
-        found += [" " + before, language.quantity(split_name(name), form.symbols), after]
+    symbols = [language.quantity(split_name(name), form.symbols) for name in form.figure.sketch]
+    if symbols:
+        before, after = words["sketches"].split("{symbols}") if symbols[1:] else words["sketch"].split("{symbol}")
+        found += [" " + before, *_listed(symbols, language), after]
     return tuple(found)
+
+
+def _listed(symbols: Sequence[Formula], language: Language) -> list[str | Formula]:
+    """``a``, ``a and b``, ``a, b and c``."""
+    last = language.words("figure")["and"].partition("{first}")[2].partition("{last}")[0]
+    between = [", "] * (len(symbols) - 2) + [last]
+    return [part for pair in zip(["", *between], symbols, strict=False) for part in pair if part != ""]
+
+
+def read_off(form: Form, asked: Sequence[Quantity]) -> list[Quantity]:
+    """The quantities whose signs and letters a reader of a problem meets: those asked, and those to be sketched."""
+    return [*asked, *(quantity for name in form.figure.sketch if (quantity := split_name(name)) not in asked)]
 
 
 def graph_instant(variant: Variant, language: Language) -> list[Equation]:

@@ -16,17 +16,16 @@ from functools import cache
 from math import isfinite
 
 from variantgen.algebra.decimals import rounded, rounded_to_digits
-from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.quantities import Quantity, recorded
 from variantgen.families.quantities.kinds import ANGLE_OF
 from variantgen.families.units import Unit
-from variantgen.resources import languages, templates_dir
+from variantgen.resources import templates_dir
 from variantgen.tables import read_toml
 from variantgen.wording.formula import GREEK, Index, Number, Quotient, Symbol, SymbolProperty, UnitText
 from variantgen.wording.formula.tree import ANGLE
 from variantgen.wording.notation import USUAL, Notation
 from variantgen.wording.plurals import plural_category
-from variantgen.wording.words import Words
+from variantgen.wording.words import Words, check_language
 
 NATURAL = {"t": "tau", "n": "n"}  # components of an acceleration along its path, as solutions call them
 _DIRECTIONS = {"along": "∥", "across": "⟂"}  # before the letters of a line, in the index of a component
@@ -203,8 +202,7 @@ def _unit_text(text: str) -> UnitText:
 @cache
 def load_language(name: str, notation: Notation = USUAL) -> Language:
     """A language by name (``ru``, ``en``) with the letters of a notation. Raises InputError for an unknown name."""
-    if name not in languages():
-        raise InputError(Problem("unknown language", key="language", value=name, remedy=nearest(name, languages())))
+    check_language(name)
     return _with_notation(name, notation.filled(_tables(name)["notation"]))
 
 

@@ -9,6 +9,7 @@ from variantgen.families.quantities import Quantity
 from variantgen.families.units import Unit
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Equation, Measured, Surd, to_plain
+from variantgen.wording.graph_words import read_off
 from variantgen.wording.language import Language
 from variantgen.wording.statement import answer_notes, statement
 from variantgen.wording.surds import with_surd
@@ -45,5 +46,5 @@ def plain_problem(
         f"{key['title']}: {'; '.join(found)}.",
     ]
     if with_notes:
-        paragraphs.append(" ".join(answer_notes(asked, language)))
+        paragraphs.append(" ".join(answer_notes(read_off(variant.form, asked), language)))
     return "\n\n".join(textwrap.fill(paragraph, 100) for paragraph in paragraphs)

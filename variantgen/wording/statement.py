@@ -25,6 +25,7 @@ from variantgen.wording.formula import Equation, Formula, Measured, Symbol, Unit
 from variantgen.wording.formula.tree import ANGLE
 from variantgen.wording.graph_words import graph_instant, graph_sentences
 from variantgen.wording.language import NATURAL, Language
+from variantgen.wording.law_formula import law_equations
 from variantgen.wording.scene_data import scene_data
 from variantgen.wording.template import StatementTemplate, load_template
 from variantgen.wording.text import Text
@@ -121,7 +122,7 @@ def _given(case: _Case, variant: Variant) -> list[Equation]:
         (rates if is_rate else places).append(Equation(symbol, Measured(number, unit_text)))
     if variant.family.folder is None:
         own = scene_data(variant, case.asked, case.language)
-        places, rates = places + own[0], rates + own[1]
+        places, rates = places + own[0], rates + law_equations(case.form, case.language) + own[1]
     return places + _found(case, variant) + graph_instant(variant, case.language) + rates
 
 
@@ -188,7 +189,7 @@ def _text(case: _Case) -> Text:
     """The filled template. A scene has words of the program."""
     variant, language = case.variant, case.language
     if variant.family.folder is None:
-        return (language.words("sheet")["scene"],)
+        return (language.words("sheet")["law_scene" if case.form.laws else "scene"],)
     return _filled(case, load_template(template_path(variant, language)))
 
 

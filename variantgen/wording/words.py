@@ -6,13 +6,20 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TypeVar
 
-from variantgen.errors import InputError, Problem
+from variantgen.errors import InputError, Problem, nearest
+from variantgen.resources import languages
 
 T = TypeVar("T")
 
 
 class MissingWordError(InputError, KeyError):
     """A file of a language lacks an entry. A KeyError too: a template may ask whether there is one."""
+
+
+def check_language(name: str) -> None:
+    """Raise InputError for the name of a language that has no file of words."""
+    if name not in languages():
+        raise InputError(Problem("unknown language", key="language", value=name, remedy=nearest(name, languages())))
 
 
 class Words(dict[str, T]):

@@ -245,6 +245,9 @@ def known_data(variant: Variant, asked: list, language_name: str) -> tuple[dict[
     for equation in given(variant, asked, language):
         text = equation.right.number.text.replace("−", "-").replace(language.decimal_mark, ".")
         known[to_plain(equation.left)] = float(text)
+    for name in variant.form.figure.graph:  # read off at first
+        symbol = language.symbol(variant.form.parameters[name].symbol, variant.form.symbols)
+        known[to_plain(symbol)] = float(abs(variant.printed[name]))
     return known, language.decimal_mark
 
 

@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 
 from variantgen.cli.messages import say, tell
+from variantgen.errors import InputError, Problem
 
 _MOST = 30  # structures that are tried
 HELP = "make a family of a mechanism that nobody drew"
@@ -22,16 +23,50 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--level", choices=("easy", "medium", "hard"), default="", help="by the work of its solutions")
     parser.add_argument("--structure", default="", metavar="CODE", help="one structure: a code of list --structures")
     parser.add_argument("--seed", default="0", metavar="SEED", help="chooses structure and layout (default: 0)")
-    parser.add_argument("--out", type=Path, required=True, metavar="FOLDER", help="the folder of the new family")
+    parser.add_argument("--out", type=Path, metavar="FOLDER", help="the folder of the new family")
+    parser.add_argument(
+        "--exam", type=Path, metavar="FILE", help="write the families of all pools of this exam beside it, to keep them"
+    )
+
+
+def _check_together(arguments: argparse.Namespace) -> None:
+    """Raise InputError for options of which one would be passed over."""
+    chosen = [f"--{name}" for name in ("groups", "links", "level", "structure", "out") if getattr(arguments, name)]
+    if arguments.exam is not None and chosen:
+        raise InputError(Problem(f"has no place for {chosen[0]}", key="--exam", remedy="the exam file says what it is"))
+    if arguments.structure and (arguments.groups or arguments.links):
+        raise InputError(Problem("says all of them", key="--structure", remedy="leave out --groups and --links"))
+
+
+def _keep_pools(path: Path) -> None:
+    """Write the families of the pools of an exam beside its file, where every later command finds them."""
+    from variantgen.families.files import family_files
+    from variantgen.outputs.formats import read_exam
+
+    found = {f.name: f.folder for task in read_exam(path).tasks if task.composed for f in task.families if f.folder}
+    for name, folder in sorted(found.items()):
+        new = path.resolve().parent / name
+        if folder.resolve() != new:
+            new.mkdir()
+            for file, content in family_files(folder).items():
+                (new / file).write_bytes(content)
+            say(new)
+    tell(f"{len(found)} families of pools lie beside {path}" if found else f"{path} has no problem with compose = ...")
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Choose a structure, make the family, say what to do next. Raises InputError."""
-    from variantgen.errors import InputError, Problem
-    from variantgen.exam.composed import shuffled, write
+    """Choose a structure, make the family, say what to do next; or keep the pools of an exam. Raises InputError."""
+    _check_together(arguments)
+    if arguments.exam is not None:
+        _keep_pools(arguments.exam)
+        return 0
+    if arguments.out is None:
+        raise InputError(Problem("missing", key="--out", remedy="name the folder of the new family"))
+    from variantgen.exam.composed import write
+    from variantgen.exam.composed_pools import shuffled
     from variantgen.exam.wanted_work import LEVELS, level_of
     from variantgen.synthesis.levels import chosen_structures
-    from variantgen.synthesis.structures import code, parse_code
+    from variantgen.synthesis.structures import code, is_textbook, parse_code
 
     out: Path = arguments.out
     if out.exists():
@@ -51,6 +86,8 @@ def run(arguments: argparse.Namespace) -> int:
             continue
         break
     say(out)
+    if not is_textbook(structure):
+        tell(f"{code(structure)} is a structure that no textbook would print: several outputs, many joints or slides")
     tell(f"structure {code(structure)}, {calculations} calculations: {level_of(calculations)}")
     tell(f"look:  variantgen show {out} --out page.png\ncheck: variantgen check {out}")
     return 0

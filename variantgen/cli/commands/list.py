@@ -6,7 +6,7 @@ import argparse
 import json
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from variantgen.cli.columns import in_columns
 from variantgen.cli.exam_preview import refuse_exam
@@ -17,10 +17,13 @@ from variantgen.errors import InputError, Problem
 if TYPE_CHECKING:
     from variantgen.families.family import Family
 
+_Heading: TypeAlias = "tuple[Mapping[str, str], list[str], Mapping[str, Mapping[str, Any]]]"
+
 HELP = "list the problem families, or what a family offers"
 DESCRIPTION = """\
-List the problem families of the catalogue and of your own folders.
-With the name of a family (or the path of a scene): its forms, its parameters with their ranges,
+List the problem families of the catalogue and of your own folders: title, forms, and for those of the
+catalogue the calculations that a usual variant takes, with the level (docs/fairness.md).
+With the name of a family (or the path of a scene): its forms, their work, their parameters with ranges,
 all that can be asked with symbol and unit, and a problem to paste into an exam file.
 With --structures: the structures that compose makes families of, and which families have them."""
 
@@ -43,40 +46,79 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Print names, titles and forms, or what one family offers. Raises InputError."""
-    from variantgen.families.folders import family_folders
-    from variantgen.families.load import family_names, load_family
-    from variantgen.wording.language import load_language
+    from variantgen.families.folders import family_folders, family_names
+    from variantgen.wording.words import check_language
 
-    load_language(arguments.lang)
+    check_language(arguments.lang)
     folders = family_folders(arguments.families)
     if arguments.structures:
-        _structures(arguments, [load_family(name, folders) for name in family_names(folders)])
-        return 0
-    if arguments.family:
+        _structures(arguments, folders)
+    elif arguments.family:
         refuse_exam(arguments, "list tells what a family offers")
-        _one(arguments, load_family(arguments.family, folders), folders)
-        return 0
-    if arguments.figure:
+        _one(arguments, folders)
+    elif arguments.figure:
         raise InputError(Problem("of which family?", key="--figure", remedy="name it: variantgen list four_bar ..."))
-    families = [load_family(name, folders) for name in family_names(folders)]
-    if arguments.json:
-        rows = [{"family": f.name, "title": dict(f.titles), "forms": [n for n in f.forms if n]} for f in families]
-        say(json.dumps(rows, ensure_ascii=False, indent=2))
-        return 0
-    width = max(len(family.name) for family in families)
-    for family in families:
-        forms = ", ".join(name for name in family.forms if name)
-        say(f"{family.name:{width}}  {family.title(arguments.lang)}" + (f"  [{forms}]" if forms else ""))
+    else:
+        _all(arguments, {name: _heading(name, folders) for name in family_names(folders)})
     return 0
 
 
-def _structures(arguments: argparse.Namespace, families: list[Family]) -> None:
+def _heading(name: str, folders: tuple[Path, ...]) -> _Heading:
+    """The titles of a family by language, its forms, and the work of forms of the catalogue.
+
+    A family of the catalogue is only read: to check them all takes longer than everything else, and
+    they are right.
+    """
+    from variantgen.exam.kept_work import kept_medians
+    from variantgen.exam.wanted_work import level_of
+    from variantgen.families.folders import file_of
+    from variantgen.resources import catalog_dir
+    from variantgen.tables import read_toml
+
+    path = file_of(name, folders)
+    if path is not None and path.parent.parent == catalog_dir():
+        data = read_toml(path)
+        forms = list(data.get("forms", ()))
+        usual = {form: kept_medians().get((name, form)) for form in forms or [""]}
+        works = {form: {"calculations": n, "level": level_of(n)} for form, n in usual.items() if n}
+        return data["title"], forms, works
+    from variantgen.families.load import load_family
+
+    family = load_family(name, folders)
+    return family.titles, [form for form in family.forms if form], {}
+
+
+def _all(arguments: argparse.Namespace, families: Mapping[str, _Heading]) -> None:
+    """A line for each family."""
+    if arguments.json:
+        rows = [
+            {"family": name, "title": dict(titles), "forms": forms, "work": works}
+            for name, (titles, forms, works) in families.items()
+        ]
+        say(json.dumps(rows, ensure_ascii=False, indent=2))
+        return
+    width = max(map(len, families))
+    for name, (titles, forms, works) in families.items():
+        title = titles.get(arguments.lang) or titles.get("en") or name
+        told = ", ".join(f"{form} {_work(works.get(form))}".strip() for form in forms or [""])
+        say(f"{name:{width}}  {title}" + (f"  [{told}]" if told else ""))
+
+
+def _work(found: Mapping[str, Any] | None) -> str:
+    """``44 medium``; nothing where it is not known."""
+    return "" if found is None else f"{found['calculations']:g} {found['level']}"
+
+
+def _structures(arguments: argparse.Namespace, folders: tuple[Path, ...]) -> None:
     """The structures of textbooks, or a page with their pictures."""
+    from variantgen.families.folders import family_names
+    from variantgen.families.load import load_family
     from variantgen.outputs.structures import structure_rows, write_structures
 
     path: Path | None = arguments.figure
     if path is not None and path.suffix != ".html":
         raise InputError(Problem("expected a page", key="--figure", value=str(path), remedy="structures.html"))
+    families = [load_family(name, folders) for name in family_names(folders)]
     rows = structure_rows(families, arguments.links)
     if path is not None:
         write_structures(rows, arguments.links, path)
@@ -89,11 +131,13 @@ def _structures(arguments: argparse.Namespace, families: list[Family]) -> None:
             say(line)
 
 
-def _one(arguments: argparse.Namespace, family: Family, folders: tuple[Path, ...]) -> None:
+def _one(arguments: argparse.Namespace, folders: tuple[Path, ...]) -> None:
     """What one family offers, and its figures."""
+    from variantgen.families.load import load_family
     from variantgen.overview import overview
     from variantgen.wording.language import load_language
 
+    family = load_family(arguments.family, folders)
     named = "" if arguments.family == family.name else arguments.family
     if arguments.figure:
         _draw(arguments, family, folders)
@@ -126,7 +170,9 @@ def _alike(forms: list[dict[str, Any]]) -> Iterator[tuple[list[str], dict[str, A
 
 
 def _told(form: Mapping[str, Any]) -> Iterator[str]:
-    """The parameters of a form, and what it can be asked for."""
+    """The work of a form, its parameters, and what it can be asked for."""
+    if form["work"]:
+        yield from ("", f"work: some {form['work']['calculations']:g} calculations ({form['work']['level']})")
     rows = [
         (f"  {name}", parameter.get("unit", ""), _values(parameter)) for name, parameter in form["parameters"].items()
     ]

@@ -121,14 +121,14 @@ class _Reader:
         heads = {kind: own.head(kind) for own in reversed(columns) for kind in own.places}
         entries = [entry for table in tables for entry in table]
         if "id" in heads:
-            if _only_counts([[entry.id for entry in table] for table in tables]):
+            if only_counts([[entry.id for entry in table] for table in tables]):
                 self._notes.append(
                     f'the ids (column "{heads["id"]}") only count the rows: counted anew with a student more, '
                     "they would give everybody below the sheet of another"
                 )
             return self._unique([(entry, entry.id) for entry in entries])
         if "number" in heads:
-            if not _only_counts([[entry.number for entry in table] for table in tables]):
+            if not only_counts([[entry.number for entry in table] for table in tables]):
                 return self._unique([(entry, entry.number) for entry in entries])
             head = heads["number"]
             self._notes.append(
@@ -150,7 +150,7 @@ class _Reader:
 
     def _by_name(self, entries: Sequence[_Entry]) -> list[Student]:
         """The students with ids made of name and group; namesakes in a group are distinguished by their order."""
-        plain = [_name_and_group(entry.student) for entry in entries]
+        plain = [name_and_group(entry.student) for entry in entries]
         taken, owners, found = set(plain), dict[str, list[str]](), []
         for entry, own in zip(entries, plain, strict=True):
             others = owners.setdefault(own, [])
@@ -169,13 +169,13 @@ class _Reader:
         return found
 
 
-def _name_and_group(student: Student) -> str:
+def name_and_group(student: Student) -> str:
     """``Lee Ann (M-21)``, however it was typed."""
     name, group = (" ".join(unicodedata.normalize("NFC", text).split()) for text in (student.name, student.group))
     return f"{name} ({group})" if group else name
 
 
-def _only_counts(tables: Sequence[Sequence[str]]) -> bool:
+def only_counts(tables: Sequence[Sequence[str]]) -> bool:
     """Whether numbers count the rows of some table, from 1 on or from where the table before ended."""
     end = 0
     for texts in tables:

@@ -91,7 +91,10 @@ def _count(parts: zipfile.ZipFile, part: zipfile.ZipInfo, tag: bytes) -> int:
 
 
 def _with_formulas(sheet: Worksheet, written: dict[int, Sequence[str]]) -> Worksheet:
-    """A worksheet with the formulas that have no value; ``written`` are the rows with all formulas as they stand."""
+    """A worksheet with its formulas, those that have no value in their cells.
+
+    ``written`` are the rows with all formulas as they stand.
+    """
     values = dict(sheet.rows)
     rows = []
     for number, cells in written.items():
@@ -102,7 +105,8 @@ def _with_formulas(sheet: Worksheet, written: dict[int, Sequence[str]]) -> Works
             merged.pop()
         if merged:
             rows.append((number, merged))
-    return Worksheet(tuple(rows), sheet.title)
+    computed = ((number, k) for number, cells in written.items() for k, cell in enumerate(cells) if cell[:1] == "=")
+    return Worksheet(tuple(rows), sheet.title, frozenset(computed))
 
 
 def _rows(sheet: Any, columns: int) -> list[Row]:

@@ -10,7 +10,11 @@ Row = tuple[int, Sequence[str]]  # its number in the file, its cells
 
 @dataclass(frozen=True)
 class Worksheet:
-    """A table with the rows that are not empty; ``title`` is that of a worksheet."""
+    """A table with the rows that are not empty; ``title`` is that of a worksheet.
+
+    ``computed`` are the cells with formulas, by the number of the row and the place in it, where these were asked for.
+    """
 
     rows: tuple[Row, ...]
     title: str = ""
+    computed: frozenset[tuple[int, int]] = frozenset()

@@ -40,6 +40,7 @@ from variantgen.families.quantities.kinds import line_ends
 from variantgen.families.quantities.quantity import Quantity, motion_order, recorded
 from variantgen.families.quantities.reading import (
     in_unit,
+    is_quantity,
     parse_quantity,
     quantity_names,
     split_name,
@@ -49,6 +50,7 @@ from variantgen.families.quantities.reading import (
 __all__ = [
     "Quantity",
     "in_unit",
+    "is_quantity",
     "line_ends",
     "motion_order",
     "parse_quantity",

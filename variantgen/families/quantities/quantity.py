@@ -74,6 +74,13 @@ class Quantity:
         return self.group in ("vector", "relative")
 
     @property
+    def is_magnitude(self) -> bool:
+        """Whether it is a length or the magnitude of a vector or rate, which has no sign."""
+        if self.component == "abs":
+            return True
+        return (self.is_vector and not self.component) or (self.is_centre and not self.is_coordinate)
+
+    @property
     def is_relative(self) -> bool:
         """Whether it belongs to the relative motion of a sliding point."""
         return self.group == "relative"

@@ -36,6 +36,11 @@ def parse_quantity(text: str, scene: Scene, key: str = "ask", offered: Sequence[
     return quantity
 
 
+def is_quantity(text: str, scene: Scene) -> bool:
+    """Whether a scene has a quantity of that name, a plain one or a further one."""
+    return text in quantity_names(scene) or (_match(text) is not None and _is_further(split_name(text), scene))
+
+
 def _match(text: str) -> re.Match[str] | None:
     return _ROPE.fullmatch(text) or _PATTERN.fullmatch(text)
 

@@ -17,6 +17,7 @@ from variantgen.exam import answer_page as page
 from variantgen.marking.scan.darkness import Darkness
 
 Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
 
 _MARKED, _EMPTY, _TRACE = 0.5, 0.2, 0.09  # shares of the darkness of the usual mark
 _ERASED = 0.35  # what is fainter may be what a rubber has left: the key cannot make a mark of it
@@ -27,6 +28,8 @@ _WEAK = 0.7
 # Strokes that cross a bubble out: the share of the usual mark and the least darkness that they have beyond its
 # corners, at how many of them.
 _OUT, _LEAST_OUT, _STROKES = 0.3, 0.12, 3
+# At all four corners so dark, strokes do what the page tells to do with a wrong bubble: nobody need look at that.
+_CLEAR, _LEAST_CLEAR = 0.8, 0.25
 _CROSSES = 0.15  # of the marks: who has more crosses than that marks by them
 _WRITTEN, _SHARE_WRITTEN = 0.007, 0.018  # least darkness of a box that has been written in, and share of the usual mark
 
@@ -55,8 +58,9 @@ def columns(measured: Darkness) -> list[list[Column]]:
     marks = measured.bubbles > _MARKED * usual
     if (crossed & marks).sum() > _CROSSES * marks.sum():
         crossed[:] = False  # this is how the student marks
-    for dark, out in zip(measured.bubbles, crossed, strict=True):
-        found.append([_column(dark[places], out[places], usual, noise) for places in _places()])
+    clear = np.all(measured.beside > max(_CLEAR * usual, _LEAST_CLEAR), axis=-1)
+    for dark, out, told in zip(measured.bubbles, crossed, clear, strict=True):
+        found.append([_column(dark[places], out[places], told[places], usual, noise) for places in _places()])
     writes = _writes(found, written)
     if writes:
         found = [_with_boxes(own, boxes) for own, boxes in zip(found, written, strict=True)]
@@ -90,14 +94,17 @@ def _usual(measured: Darkness) -> float:
     return float(np.median(marks))
 
 
-def _column(dark: Array, out: NDArray[np.bool_], usual: float, noise: float) -> Column:
-    """One column by the darkness of its bubbles; ``out`` are those that are crossed out."""
+def _column(dark: Array, out: Flags, clear: Flags, usual: float, noise: float) -> Column:
+    """One column by the darkness of its bubbles; ``out`` are crossed out, ``clear`` as the page tells to do it."""
     out = out & (dark > max(_EMPTY * usual, _LEAST))
     if out.any():
-        rest = _column(np.where(out, 0.0, dark), np.zeros_like(out), usual, noise)
+        rest = _column(np.where(out, 0.0, dark), np.zeros_like(out), clear, usual, noise)
         values = _values()[_kind_of(len(dark))]
         taken_back = tuple(values[k] for k in np.nonzero(out)[0])
-        return Column(rest.value, "crossed out", (*rest.others, *taken_back), rest.open or rest.value is None)
+        others = (*rest.others, *taken_back)
+        if clear[out].all():
+            return Column(rest.value, rest.doubt, others, rest.open)
+        return Column(rest.value, "crossed out", others, rest.open or rest.value is None)
     values = _values()[_kind_of(len(dark))]
     order = np.argsort(-dark)
     top = float(dark[order[0]])
@@ -141,7 +148,8 @@ def _with_boxes(own: list[Column], boxes: NDArray[np.bool_]) -> list[Column]:
     for k in range(page.DIGITS + 1):
         column = own[k]
         if column.value is None and boxes[k] and not column.doubt:
-            found[k] = Column(None, "unfilled", column.others, open=k != page.MINUS)
+            # Where not even a trace is in the bubbles, these say what they say: the key may agree with them.
+            found[k] = Column(None, "unfilled", column.others, open=k != page.MINUS and bool(column.others))
         elif column.value is not None and not boxes[k]:
             found[k] = Column(column.value, column.doubt or "unwritten", (*column.others, None), column.open)
     return found

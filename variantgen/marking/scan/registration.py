@@ -12,7 +12,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import ndimage
 
 from variantgen.exam import answer_page as page
 from variantgen.marking.scan.pictures import Grey
@@ -98,6 +97,8 @@ def _guess(known: list[Points], seen: list[Points], marks: dict[int, Points], co
 
 def _mark(grey: Grey, guess: Points, scale: float, radius: float) -> Points | None:
     """The middle of the black square next to a place, in pixels; None where there is none."""
+    from scipy import ndimage  # half a second of time: only where there are scans
+
     height, width = grey.shape
     reach_ = radius * scale
     left, right = int(max(guess[0] - reach_, 0)), int(min(guess[0] + reach_, width))

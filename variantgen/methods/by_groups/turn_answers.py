@@ -63,8 +63,9 @@ class _Limits:
 
 def _by_limits(book: Book, kind: str, target: str) -> Expression | None:
     """A stroke, a swing or a ratio of times by the triangles of the limit positions; None where there is no rod."""
-    if kind == "stroke" and (arm := _arm(book, target)) is not None:
-        return _chord(book, target, *arm)
+    arm = _arm(book, target) if target in book.task.scene.points else None
+    if arm is not None:
+        return _chord(book, target, *arm) if kind == "stroke" else _by_limits(book, kind, arm[0])
     lever = _lever(book, target)
     if lever is not None:
         return _of_lever(book, kind, *lever)
@@ -147,6 +148,7 @@ def _of_slider(book: Book, kind: str, found: _Limits, ends: tuple[Value, Value])
         book.say("turn.offset", False, pivot=Point(found.pivot), point=Point(found.end), distance=offset)
     if kind == "stroke":
         return SquareRoot(far**2 - offset**2) - SquareRoot(near**2 - offset**2)
+    book.say("turn.inclinations", False, far=far, near=near)
     angles = [
         book.derive(Name("inclination", letter), "angle", Applied("arcsin", Ratio(offset, end)))
         for letter, end in (("beta", far), ("gamma", near))

@@ -43,6 +43,11 @@ class Work:
         """Operations and functions together: what is typed into a calculator."""
         return self.operations + self.functions
 
+    @property
+    def sizes(self) -> tuple[int, int, int]:
+        """Calculations, negative numbers, obtuse angles: by what the variants of a form are compared."""
+        return self.calculations, self.negatives, self.obtuse
+
 
 def work_of(answers: Iterable[Value]) -> Work:
     """The work of the solution that leads to these answers."""

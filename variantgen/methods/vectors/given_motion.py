@@ -113,7 +113,7 @@ def amount(book: Book, template: ComponentTemplate, key: str, measure: str) -> V
     number = abs(book.task.read(source))
     if measure in ("velocity", "acceleration"):
         number /= book.task.length_unit
-    if number == 0 or expression is None or isinstance(expression, Constant):
+    if number == 0 or expression is None or (isinstance(expression, Constant) and not _is_of_law(book, source)):
         turns = unit_of_turning(number, unit(book.task.unit_of(measure)))
         if not turns.name.startswith("rpm"):
             return Value(None, measure, number)
@@ -125,6 +125,10 @@ def amount(book: Book, template: ComponentTemplate, key: str, measure: str) -> V
     assert simple is not None
     expression = simple if simple.number(True) >= 0 else -simple  # a magnitude: the figure shows the sense
     return book.derive(_name_of(book, template, key), measure, expression)
+
+
+def _is_of_law(book: Book, source: FamilyExpression) -> bool:
+    return law_behind(book.task, source) is not None
 
 
 def _say_law(book: Book, template: ComponentTemplate, source: FamilyExpression) -> None:

@@ -10,6 +10,7 @@ from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.documents.writing import Writing
 from variantgen.outputs.qr import qr_text
+from variantgen.wording.graph_words import read_off
 from variantgen.wording.language import Language
 from variantgen.wording.statement import Statement, answer_notes, letter_notes, sign_notes
 from variantgen.wording.text import with_symbols
@@ -108,7 +109,9 @@ def blank_labels(language: Language) -> list[str]:
 
 def sheet_notes(sheet: Sheet, language: Language) -> list[str]:
     """The letters and conventions of sign that the answers of a sheet need."""
-    return answer_notes([quantity for item in sheet.items for quantity in item.asked], language)
+    return answer_notes(
+        [quantity for item in sheet.items for quantity in read_off(item.variant.form, item.asked)], language
+    )
 
 
 def group_text(student: Student, language: Language) -> str:
@@ -118,13 +121,14 @@ def group_text(student: Student, language: Language) -> str:
 
 def _problem(posed: PosedProblem, language: Language, figures: dict[int, Any], writing: Writing) -> dict[str, Any]:
     item, said = posed.item, posed.statement
+    shown = read_off(item.variant.form, item.asked)
     drawn = figures[id(posed.figure)] = writing.figure(posed.figure)
     return {
         "number": str(item.task.number),
         "points": points_text(item.task.points, language),
         **statement_data(said, writing),
-        "signs": sign_notes(item.asked, language),
-        "letters": [writing.text(with_symbols(note)) for note in letter_notes(item.asked, language)],
+        "signs": sign_notes(shown, language),
+        "letters": [writing.text(with_symbols(note)) for note in letter_notes(shown, language)],
         "headings": [
             writing.heading(symbol, language.unit(answer.unit))
             for symbol, answer in zip(said.asked, item.answers, strict=True)

@@ -16,6 +16,7 @@ from variantgen.figure.drawing import LETTER, Drawing, Label
 from variantgen.figure.glyphs import Glyph
 from variantgen.figure.lettering import letters_of
 from variantgen.outputs.figures import unit
+from variantgen.wording.formula import Formula
 
 SUFFIXES = (".svg",)
 _FILLS = {
@@ -77,10 +78,20 @@ def _paper(label: Label, height: float) -> str:
     return f'<rect {box}{_FILLS[label.paper]} stroke="none"/>'
 
 
-def _curve(curve: Curve, height: float) -> str:
-    steps = "".join(
+def path_data(curve: Curve, height: float = 0.0) -> str:
+    """The steps of a curve as the ``d`` of a path; a place at ``height`` (u) is at the top."""
+    return "".join(
         kind + " ".join(f"{_number(p.real)} {_number(height - p.imag)}" for p in points) for kind, points in curve.steps
     )
+
+
+def lettering(formula: Formula) -> str:
+    """The outlines of a formula as SVG, the middle of its ink at the origin."""
+    return "".join(_letter(glyph, at, 0.0) for glyph, at in letters_of(Label(formula, 0j, (0.0, 0.0))))
+
+
+def _curve(curve: Curve, height: float) -> str:
+    steps = path_data(curve, height)
     pen = f' stroke-width="{_number(curve.weight)}"' if curve.weight else ' stroke="none"'
     dash = f' stroke-dasharray="{" ".join(map(_number, DASHES[curve.dash]))}"' if curve.dash else ""
     return f'<path d="{steps}"{pen}{_FILLS[curve.fill]}{dash}/>'

@@ -15,6 +15,7 @@ from typing import Any, BinaryIO
 from variantgen.exam.exam_file import Exam
 from variantgen.exam.manifest import NAME, SCHEMA
 from variantgen.exam.sheets import Item, Sheet
+from variantgen.families.files import family_files
 from variantgen.outputs.files.folder import file_hashes
 from variantgen.version import VERSION
 
@@ -99,7 +100,7 @@ def csv_rows(rows: Iterable[Sequence[object]]) -> str:
 
 def safe_cell(text: str) -> str:
     """A text with an apostrophe where a spreadsheet would run it."""
-    return _FORMULA.sub(r"\1'", text)
+    return text if text.isalnum() else _FORMULA.sub(r"\1'", text)
 
 
 def manifest_frame(
@@ -143,10 +144,22 @@ def manifest_frame(
         "redrawn": list(redrawn),
         "pages": {document: dict(students) for document, students in pages.items()},
         "bands": list(bands),
+        **({"composed": composed} if (composed := _composed(exam)) else {}),
         "files": dict(files),
     }
     text = json.dumps(content, ensure_ascii=False, indent=1).removesuffix("\n}")
     return f'{text},\n "students": [', " ]\n}\n"
+
+
+def _composed(exam: Exam) -> dict[str, dict[str, str]]:
+    """The files of composed families by name: no later command makes them again."""
+    return {
+        family.name: {file: content.decode() for file, content in family_files(family.folder).items()}
+        for task in exam.tasks
+        if task.composed
+        for family in task.families
+        if family.folder
+    }
 
 
 def manifest_lines(exam: Exam, sheets: Sequence[Sheet]) -> str:

@@ -24,6 +24,9 @@ _NO_TEXT = re.compile(
     + "]"
 )
 
+# What bytes that may belong to one of these look like: most pages have none, which is told much sooner.
+_SUSPECT = re.compile(rb"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f\xed\xef-\xf4]"), re.compile(rb"\xc2[\x80-\x9f]")
+
 
 @cache
 def _environment() -> jinja2.Environment:
@@ -79,4 +82,7 @@ def pieces(paths: Sequence[Path]) -> Iterator[Markup]:
 
 
 def _clean(text: str) -> bytes:
+    found = text.encode(errors="surrogatepass")
+    if not any(pattern.search(found) for pattern in _SUSPECT):
+        return found
     return _NO_TEXT.sub("\N{REPLACEMENT CHARACTER}", text).encode()

@@ -8,9 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from variantgen.figure.drawing import LETTER, Label, Layer
-from variantgen.figure.moving import Paper
-from variantgen.mechanism.motion import ComplexField
+from variantgen.figure.drawing import LETTER, Layer
 from variantgen.outputs.figures.mpl import draw_lines, points_per_unit
 from variantgen.outputs.motion.panels import draw_panel, drawing_weight, frame_paper
 from variantgen.outputs.motion.plotted_curves import panels
@@ -23,7 +21,6 @@ _DPI = 100
 _PAUSE = 70  # milliseconds per picture
 _GREYS = 12
 _FRONT = 7.0  # order of drawing
-_BESIDE = 4.6  # between a moving point and its name, u
 
 
 def film(subject: Subject) -> bytes:
@@ -90,7 +87,7 @@ class _Stage:
         draw_lines(self.axes, [line for line in resting if line.layer == Layer.GROUND], self.weight)
         # Bases of hinges are in front of the links that turn about them.
         draw_lines(self.axes, [line for line in resting if line.layer != Layer.GROUND], self.weight, _FRONT)
-        self.names = _names(subject, labels, paper)
+        self.names = [(to_mathtext(formula), places) for formula, places in moving.names(labels, paper)]
         self.size = min(11.0, max(8.0, 0.95 * LETTER * points_per_unit(self.axes)))
         self.added: list[Any] = []
         shown, _ = panels(subject.variant, subject.driver_sweep, subject.asked, subject.language)
@@ -120,31 +117,3 @@ class _Stage:
             way = self.subject.ways[index]
             for dot, curve in zip(self.dots, self.panel.curves, strict=True):
                 dot.set_data([way], [curve.values[index]])
-
-
-def _names(subject: Subject, labels: Sequence[Label], paper: Paper) -> list[tuple[str, ComplexField]]:
-    """Names of the points in mathtext, and their places (u) in all positions; at rest beside points at rest."""
-    motion, language, moving = subject.driver_sweep.sweep.motion, subject.language, subject.moving.paths
-    named = {language.symbol(name, subject.variant.form.symbols): name for name in motion.z}
-    found = []
-    for label in labels:
-        name = next((name for symbol, name in named.items() if symbol == label.formula), None)
-        if name in moving:
-            places = paper.at(motion.z[name]) + _BESIDE * _free_side(subject, name)
-        elif name is not None:
-            places = np.full(motion.size, label.at)
-        else:
-            continue
-        found.append((to_mathtext(label.formula), places))
-    return found
-
-
-def _free_side(subject: Subject, name: str) -> ComplexField:
-    """Unit vectors from a point to where its name does not lie on its links: away from them and somewhat aside."""
-    motion = subject.driver_sweep.sweep.motion
-    bodies = [members for members in motion.scene.bodies.values() if name in members]
-    joined = sorted({p for members in bodies for p in members if p != name and p in subject.shown})
-    rays = [motion.z[p] - motion.z[name] for p in joined]
-    units = np.array([ray / np.abs(ray) for ray in rays if np.min(np.abs(ray)) > 0] or [np.full(motion.size, -1.0)])
-    side = 0.8j * units[0] - np.mean(units, axis=0)
-    return np.asarray(side / np.where(np.abs(side) > 0, np.abs(side), 1.0))

@@ -10,6 +10,7 @@ from variantgen.exam.sheets import Answer, Sheet
 from variantgen.outputs.formats import Chunk
 from variantgen.outputs.platforms.reference import Reference
 from variantgen.wording.formula import Formula, UnitText
+from variantgen.wording.graph_words import read_off
 from variantgen.wording.statement import answer_notes
 
 
@@ -69,5 +70,5 @@ def questions(part: Chunk) -> Iterator[Question]:
                 posed,
                 part.content.solved[number][place] if exam.solutions.wanted else None,
                 asked,
-                tuple(answer_notes(item.asked, language)),
+                tuple(answer_notes(read_off(item.variant.form, item.asked), language)),
             )

@@ -16,6 +16,7 @@ from variantgen.outputs.figures import write_whole
 from variantgen.outputs.typst.typesetter import typesetter
 from variantgen.outputs.typst.writing import TYPST
 from variantgen.variants.variant import Variant, solve_variants
+from variantgen.wording.graph_words import read_off
 from variantgen.wording.language import load_language
 from variantgen.wording.statement import answer_notes, statement
 
@@ -46,7 +47,7 @@ def write_single(
         **statement_data(said, TYPST),
         "answers-title": language.words("key")["title"] + ":",
         "answers": [TYPST.equals(equation(a, language, variant.form.symbols), a.surd) for a in answers],
-        "notes": answer_notes(asked, language),
+        "notes": answer_notes(read_off(variant.form, asked), language),
         "figure": TYPST.figure(statement_figure(variant, solve_variants([variant], 0), 0, asked, language)),
     }
     with typesetter() as engine:

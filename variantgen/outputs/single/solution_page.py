@@ -14,6 +14,7 @@ from variantgen.outputs.single.problem_page import page_format
 from variantgen.outputs.typst.typesetter import typesetter
 from variantgen.outputs.typst.writing import TYPST
 from variantgen.variants.variant import Variant, solve_variants
+from variantgen.wording.graph_words import read_off
 from variantgen.wording.language import Language
 from variantgen.wording.solution.explain import explain
 from variantgen.wording.statement import answer_notes
@@ -41,7 +42,7 @@ def write_explained(
         "remark": remark,
         "words": solution_words(language),
         "problem": problem_data(solved, language, TYPST),
-        "notes": answer_notes(asked, language),
+        "notes": answer_notes(read_off(variant.form, asked), language),
     }
     with typesetter() as engine:
         made = engine.compile("explained.typ", data, form)[0]

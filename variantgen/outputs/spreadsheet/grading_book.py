@@ -34,6 +34,7 @@ _TYPED, _MARK, _CORRECTION, _SUM = 12.0, 8.5, 6.0, 8.0  # widths of columns, in 
 _WIDEST_ASKED = 70.0
 _LANDSCAPE = 98.0  # letters that a page has room for
 _LARGEST = 1e12  # of what may be typed
+_TYPED_TEXT: Style = {**INPUT, "num_format": "@", "align": "right"}
 _COLOURS = (
     ("AND(ISNUMBER({0}),{0}>0)", {"font_color": "#1B7A3D"}),
     ("AND(ISNUMBER({0}),{0}=0)", {"font_color": "#B3261E"}),
@@ -65,6 +66,7 @@ class _Form:
         self.language = headings.language
         self.words = self.language.words("spreadsheet")
         self.place = found[-1].correction + 1  # a hidden column: the place of the student among the answers
+        self._decimal_mark = marking.fixed(_HELP, self.place)
         self.last = _FIRST + len(sheets) - 1
         first = answer_page.FIRST
         self.answers = marking.Answers(quoted(self.words["answers"]), first, first + len(sheets) - 1)
@@ -77,6 +79,7 @@ class _Form:
         """Write the sheet."""
         self.page.text(_TITLE, 0, self.book.title, TITLE)
         self.page.text(_HELP, 0, self.words["help"], NOTE)
+        self.page.formula(_HELP, self.place, marking.DECIMAL_MARK, "")
         self.page.text(_SIGNS, 0, self.words["help_signs"], NOTE)
         self._point_row()
         for block in self.blocks:
@@ -160,7 +163,7 @@ class _Form:
     def _answers_of(self, row: int, block: ProblemColumns, own: Sequence[Answer]) -> None:
         """The cells of a student in one problem; what only others are asked stays grey."""
         for number in range(block.most):
-            self.page.text(row, block.typed + number, "", INPUT if number < len(own) else ABSENT)
+            self.page.text(row, block.typed + number, "", _TYPED_TEXT if number < len(own) else ABSENT)
         for number in range(block.most):
             if number < len(own):
                 self.page.formula(row, block.points + number, self._mark(row, block, number, own), "", self.points)
@@ -173,16 +176,17 @@ class _Form:
         typed, place = marking.own(row, block.typed + number), marking.own(row, self.place)
         column = block.answers + PER_ANSWER * number
         value, low, high = (self.answers.look_up(column + k, place) for k in range(PER_ANSWER))
+        found = marking.number(typed, self._decimal_mark)
         if own[number].quantity.is_direction:
-            right = marking.same_direction(typed, value, high)
+            right = marking.same_direction(found, value, high)
         else:
-            right = marking.within(typed, low, high)
+            right = marking.within(found, low, high)
         points = marking.fixed(_POINTS, block.points + number)
         if len(own) < block.most:
             every = marking.span(_POINTS, block.points, block.correction - 1, absolute=True)
             asked = marking.span(_POINTS, block.points, block.points + len(own) - 1, absolute=True)
             points = marking.share(points, every, asked)
-        return marking.mark(typed, right, points)
+        return marking.mark(typed, found, right, points)
 
     def _colours(self) -> None:
         """Colours of points: right, wrong, not a number."""
@@ -194,7 +198,12 @@ class _Form:
                 self.page.sheet.conditional_format(*area, rule)
 
     def _checks(self) -> None:
-        """Cells that are typed into take numbers only."""
+        """Cells that are typed into take numbers only; those for answers are text, which is meant."""
+        areas = (
+            f"{marking.first_of(_FIRST, block.typed)}:{marking.first_of(self.last, block.points - 1)}"
+            for block in self.blocks
+        )
+        self.page.sheet.ignore_errors({"number_stored_as_text": " ".join(areas)})
         check = {
             "validate": "decimal",
             "criteria": "between",
@@ -204,6 +213,8 @@ class _Form:
             "error_message": self.words["number_expected"],
         }
         for block in self.blocks:
-            self.page.sheet.data_validation(_FIRST, block.typed, self.last, block.points - 1, check)
+            number = marking.number(marking.first_of(_FIRST, block.typed), self._decimal_mark)
+            typed = {**check, "validate": "custom", "value": f"=ISNUMBER({number})"}
+            self.page.sheet.data_validation(_FIRST, block.typed, self.last, block.points - 1, typed)
             self.page.sheet.data_validation(_FIRST, block.correction, self.last, block.correction, check)
             self.page.sheet.data_validation(_POINTS, block.points, _POINTS, block.correction - 1, check)

@@ -56,19 +56,30 @@ def span(row: int, first: int, last: int, absolute: bool = False) -> str:
     return f"{cell(row, first)}:{cell(row, last)}"
 
 
-def mark(typed: str, right: str, points: str) -> str:
-    """The points of an answer: nothing while nothing is typed, a question mark for what is not a number."""
-    return f'IF({typed}="","",IF(ISNUMBER({typed}),IF({right},{points},0),"{NOT_A_NUMBER}"))'
+DECIMAL_MARK = "MID(1/2,2,1)"  # of the spreadsheet
 
 
-def within(typed: str, low: str, high: str) -> str:
+def number(typed: str, decimal_mark: str) -> str:
+    """The number of a cell of text, with either decimal mark; ``decimal_mark`` is the cell with that in use.
+
+    Answers are typed as text: where the mark is a comma, a spreadsheet makes a date of 2.95 in any other cell.
+    """
+    return f'VALUE(SUBSTITUTE(SUBSTITUTE({typed},",",{decimal_mark}),".",{decimal_mark}))'
+
+
+def mark(typed: str, value: str, right: str, points: str) -> str:
+    """The points of an answer: nothing while nothing is typed, a question mark where its ``value`` is no number."""
+    return f'IF({typed}="","",IF(ISNUMBER({value}),IF({right},{points},0),"{NOT_A_NUMBER}"))'
+
+
+def within(number: str, low: str, high: str) -> str:
     """Whether a number is between the bounds, these included."""
-    return f"AND({typed}>={low},{typed}<={high})"
+    return f"AND({number}>={low},{number}<={high})"
 
 
-def same_direction(typed: str, value: str, high: str) -> str:
+def same_direction(number: str, value: str, high: str) -> str:
     """Whether an angle in degrees is as near to ``value`` as ``high`` is, but for full turns."""
-    turned = f"ROUND(MOD({typed}-{value}+180,360)-180,{_DECIMALS})"
+    turned = f"ROUND(MOD({number}-{value}+180,360)-180,{_DECIMALS})"
     return f"IFERROR(ABS({turned})<=ROUND({high}-{value},{_DECIMALS}),FALSE)"
 
 

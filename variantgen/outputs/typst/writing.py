@@ -34,7 +34,7 @@ class TypstWriting:
         """Data for ``equals`` of ``common.typ``; a unit without a space is put to the value."""
         right = equation.right
         if not isinstance(right, Measured):
-            raise TypeError("expected an equation with a measured value")
+            return {"symbol": markup(equation.left), "exact": markup(right), "value": "", "unit": ""}
         tight = "".join(word for word, _ in right.unit.parts) if right.unit.tight else ""
         return {
             "symbol": markup(equation.left),

@@ -13,9 +13,9 @@ from starlette.routing import Route
 from variantgen.errors import InputError, Problem
 from variantgen.studio.catalogue import KINDS, ONLY, TOPICS, cards
 from variantgen.studio.documents.document import Document
-from variantgen.studio.figures import FIRST_SEED, MOST_SEEDS, card_figure, specimen
+from variantgen.studio.figures import FIRST_SEED, MOST_SEEDS, card_figure, known_figure, specimen
 from variantgen.studio.frame import command, language_of, part, render
-from variantgen.studio.requests import number_of, read_json, text_of
+from variantgen.studio.requests import document_of, number_of, read_json, studio_of, text_of
 from variantgen.studio.security import FIGURE_POLICY
 from variantgen.studio.studio import Studio
 from variantgen.studio.summary import problems_of
@@ -26,68 +26,68 @@ LEVELS = (1, 2, 3)
 _STARS = "stars.json"
 
 
-def routes(studio: Studio) -> list[Route]:
-    """The addresses of this page; they raise InputError for requests that do not fit."""
+async def choose(request: Request) -> Response:
+    """The page."""
+    document = document_of(request)
+    line = command("variantgen", "list", "--lang", language_of(request))
+    context: dict[str, Any] = {"topics": TOPICS, "kinds": KINDS, "levels": LEVELS, "chosen": chosen(document)}
+    return render(request, "choose", studio_of(request), document, line, **context)
 
-    async def choose(request: Request) -> Response:
-        document = studio.document(request.path_params["exam"])
-        line = command("variantgen", "list", "--lang", language_of(request))
-        context: dict[str, Any] = {"topics": TOPICS, "kinds": KINDS, "levels": LEVELS, "chosen": chosen(document)}
-        return render(request, "choose", studio, document, line, **context)
 
-    async def shown_cards(request: Request) -> Response:
-        language = language_of(request)
-        found = await run_in_threadpool(cards, studio.workspace)
-        starred = stars(studio)
-        shown = [_shown(card, language, starred) for card in found]
-        counts = {
-            name: sum(name in card["topics"] or name in card["kinds"] for card in shown) for name in (*TOPICS, *KINDS)
-        }
-        counts |= {f"level{level}": sum(card["level"] == level for card in shown) for level in LEVELS}
-        html = part(request, "cards", "choose", cards=shown, first=FIRST_SEED, levels=LEVELS)
-        words = page_words(language)
-        families = len({card["family"] for card in shown})
-        line_of_counts = words.of("choose")["counts"].format(
-            forms=words.counted(len(shown), "form"), families=words.counted(families, "of_families")
-        )
-        return JSONResponse({"html": html, "counts": counts, "counted": line_of_counts})
+async def shown_cards(request: Request) -> Response:
+    """All cards as markup, with how many each filter would leave."""
+    studio, language = studio_of(request), language_of(request)
+    found = await run_in_threadpool(cards, studio.workspace)
+    starred = stars(studio)
+    shown = [shown_card(card, language, starred) for card in found]
+    counts = {
+        name: sum(name in card["topics"] or name in card["kinds"] for card in shown) for name in (*TOPICS, *KINDS)
+    }
+    counts |= {f"level{level}": sum(card["level"] == level for card in shown) for level in LEVELS}
+    html = part(request, "cards", "choose", cards=shown, first=FIRST_SEED, levels=LEVELS)
+    words = page_words(language)
+    families = len({card["family"] for card in shown})
+    line_of_counts = words.of("choose")["counts"].format(
+        forms=words.counted(len(shown), "form"), families=words.counted(families, "of_families")
+    )
+    return JSONResponse({"html": html, "counts": counts, "counted": line_of_counts})
 
-    async def figure(request: Request) -> Response:
-        path = request.path_params
-        seed = number_of(path["seed"], "seed", 0, MOST_SEEDS)
-        language = language_of(request)
-        text = await studio.draw(lambda: card_figure(studio.workspace, path["family"], path["form"], seed, language))
-        lasting = "private, max-age=31536000, immutable" if "v" in request.query_params else "no-store"
-        headers = {"cache-control": lasting, "content-security-policy": FIGURE_POLICY}
-        return Response(text, media_type="image/svg+xml", headers=headers)
 
-    async def in_exam(request: Request) -> Response:
-        return JSONResponse({"chosen": chosen(studio.document(request.path_params["exam"]))})
+async def figure(request: Request) -> Response:
+    """The figure of a variant of a form, as an image."""
+    studio, path = studio_of(request), request.path_params
+    seed = number_of(path["seed"], "seed", 0, MOST_SEEDS)
+    language = language_of(request)
+    wanted = (studio.workspace, path["family"], path["form"], seed, language)
+    text = await run_in_threadpool(known_figure, *wanted) or await studio.draw(lambda: card_figure(*wanted))
+    lasting = "private, max-age=31536000, immutable" if "v" in request.query_params else "no-store"
+    headers = {"cache-control": lasting, "content-security-policy": FIGURE_POLICY}
+    return Response(text, media_type="image/svg+xml", headers=headers)
 
-    async def example(request: Request) -> Response:
-        path, language = request.path_params, language_of(request)
-        seed = number_of(request.query_params.get("seed", "11"), "seed", 0, MOST_SEEDS)
-        shown = await studio.draw(lambda: specimen(studio.workspace, path["family"], path["form"], seed, language))
-        return HTMLResponse(part(request, "example", "choose", **shown))
 
-    async def star(request: Request) -> Response:
-        data = await read_json(request)
-        card, on = text_of(data, "card"), data.get("on") is True
-        known = {_name(card) for card in await run_in_threadpool(cards, studio.workspace)}
-        if card not in known:
-            raise InputError(Problem("unknown card", value=card))
-        found = stars(studio) - {card} | ({card} if on else set())
-        write_whole(studio.workspace.state(_STARS), json.dumps(sorted(found)))
-        return JSONResponse({"on": on})
+async def in_exam(request: Request) -> Response:
+    """What the exam has of each family, after another window has changed it."""
+    return JSONResponse({"chosen": chosen(document_of(request))})
 
-    return [
-        Route("/{exam}/choose", choose),
-        Route("/{exam}/cards", shown_cards),
-        Route("/{exam}/chosen", in_exam),
-        Route("/example/{family}/{form}", example),
-        Route("/figure/{family}/{form}/{seed}.svg", figure),
-        Route("/stars", star, methods=["POST"]),
-    ]
+
+async def example(request: Request) -> Response:
+    """An open card: statement, answers."""
+    studio, path, language = studio_of(request), request.path_params, language_of(request)
+    seed = number_of(request.query_params.get("seed", "11"), "seed", 0, MOST_SEEDS)
+    shown = await studio.draw(lambda: specimen(studio.workspace, path["family"], path["form"], seed, language))
+    return HTMLResponse(part(request, "example", "choose", **shown))
+
+
+async def star(request: Request) -> Response:
+    """Give a card a star, or take it."""
+    studio, data = studio_of(request), await read_json(request)
+    card, on = text_of(data, "card"), data.get("on") is True
+    known = {_name(card) for card in await run_in_threadpool(cards, studio.workspace)}
+    if card not in known:
+        raise InputError(Problem("unknown card", value=card))
+    found = stars(studio) - {card} | ({card} if on else set())
+    write_whole(studio.workspace.state(_STARS), json.dumps(sorted(found)))
+    return JSONResponse({"on": on})
 
 
 def stars(studio: Studio) -> set[str]:
@@ -113,7 +113,7 @@ def _name(card: dict[str, Any]) -> str:
     return f"{card['family']}/{card['form'] or ONLY}"
 
 
-def _shown(card: dict[str, Any], language: str, starred: set[str]) -> dict[str, Any]:
+def shown_card(card: dict[str, Any], language: str, starred: set[str]) -> dict[str, Any]:
     """A card in a language, with the words that it is found by in all of them."""
     several = card["forms"] > 1
     texts = [card["family"].replace("_", " "), card["form"].replace("_", " ")]
@@ -132,3 +132,13 @@ def _shown(card: dict[str, Any], language: str, starred: set[str]) -> dict[str, 
         "star": _name(card) in starred,
         "text": " ".join(texts).lower().replace("ё", "е"),
     }
+
+
+ROUTES = [
+    Route("/{exam}/choose", choose),
+    Route("/{exam}/cards", shown_cards),
+    Route("/{exam}/chosen", in_exam),
+    Route("/example/{family}/{form}", example),
+    Route("/figure/{family}/{form}/{seed}.svg", figure),
+    Route("/stars", star, methods=["POST"]),
+]

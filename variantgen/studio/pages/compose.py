@@ -17,8 +17,7 @@ from variantgen.studio.catalogue import cards
 from variantgen.studio.documents.document import Document
 from variantgen.studio.documents.edits import plain
 from variantgen.studio.frame import build_command, language_of, part, render
-from variantgen.studio.requests import number_of, read_json, text_of
-from variantgen.studio.studio import Studio
+from variantgen.studio.requests import document_of, number_of, read_json, studio_of, text_of
 from variantgen.studio.summary import summary
 from variantgen.studio.words import page_words
 from variantgen.studio.workspace import write_whole
@@ -27,78 +26,75 @@ DEPTHS = ("full", "short", "answers", "none")
 _MOST = 100  # problems of an exam
 
 
-def routes(studio: Studio) -> list[Route]:
-    """The addresses of this page; they raise InputError for requests that do not fit."""
+async def compose(request: Request) -> Response:
+    """The page."""
+    studio, document = studio_of(request), document_of(request)
+    line = build_command(studio, document)
+    return render(request, "compose", studio, document, line, settings=_settings(document), depths=DEPTHS)
 
-    def opened(request: Request) -> Document:
-        return studio.document(request.path_params["exam"])
 
-    async def compose(request: Request) -> Response:
-        document = opened(request)
-        line = build_command(studio, document)
-        return render(request, "compose", studio, document, line, settings=_settings(document), depths=DEPTHS)
+async def outline(request: Request) -> Response:
+    """The list of the problems and the text of the file."""
+    from variantgen.studio.composition import listed
 
-    async def outline(request: Request) -> Response:
-        from variantgen.studio.composition import listed
+    studio, document, language = studio_of(request), document_of(request), language_of(request)
+    rows = await run_in_threadpool(listed, document, studio.workspace, language)
+    words = page_words(language)
+    answers = sum(row["answers"] for row in rows)
+    line = f"{words.counted(len(rows), 'problem')} · {words.counted(answers, 'answer')}"
+    points = summary(words, studio, document)["compose"]
+    html = part(request, "outline", "compose", problems=rows)
+    return JSONResponse({"html": html, "count": len(rows), "line": f"{line} · {points}", **_source(document)})
 
-        document, language = opened(request), language_of(request)
-        rows = await run_in_threadpool(listed, document, studio.workspace, language)
-        words = page_words(language)
-        answers = sum(row["answers"] for row in rows)
-        line = f"{words.counted(len(rows), 'problem')} · {words.counted(answers, 'answer')}"
-        points = summary(words, studio, document)["compose"]
-        html = part(request, "outline", "compose", problems=rows)
-        return JSONResponse({"html": html, "count": len(rows), "line": f"{line} · {points}", **_source(document)})
 
-    async def problem(request: Request) -> Response:
-        from variantgen.studio.composition import problem as described
+async def problem(request: Request) -> Response:
+    """All that can be chosen of one problem."""
+    from variantgen.studio.composition import problem as described
 
-        number = number_of(request.path_params["number"], "problem", 1, _MOST)
-        query, language = request.query_params, language_of(request)
-        name, form = query.get("family", ""), query.get("form", "")
-        found = await run_in_threadpool(described, opened(request), studio.workspace, number, name, form, language)
-        return HTMLResponse(part(request, "problem", "compose", **found))
+    number = number_of(request.path_params["number"], "problem", 1, _MOST)
+    workspace, query, language = studio_of(request).workspace, request.query_params, language_of(request)
+    name, form = query.get("family", ""), query.get("form", "")
+    found = await run_in_threadpool(described, document_of(request), workspace, number, name, form, language)
+    return HTMLResponse(part(request, "problem", "compose", **found))
 
-    async def check(request: Request) -> Response:
-        data, document = await read_json(request), opened(request)
-        text, version = text_of(data, "text", TOML_BYTES), text_of(data, "version")
-        found = await run_in_threadpool(document.check, text)
-        kept = studio.workspace.state("drafts", f"{document.key}.json")
-        if text != document.state().text:
-            write_whole(kept, json.dumps({"text": text, "version": version}))
-        else:
-            kept.unlink(missing_ok=True)
-        return JSONResponse({"mistakes": [vars(mistake) for mistake in found]})
 
-    async def draft(request: Request) -> Response:
-        document = opened(request)
-        try:
-            found = json.loads(studio.workspace.state("drafts", f"{document.key}.json").read_text("utf-8"))
-            text, version = text_of(found, "text", TOML_BYTES), text_of(found, "version")
-        except (OSError, ValueError, AttributeError, RecursionError, InputError):
-            text = version = ""
-        return JSONResponse({"text": "" if text == document.state().text else text, "version": version})
+async def check(request: Request) -> Response:
+    """The mistakes of a text that is being written, which is kept as a draft."""
+    workspace, document, data = studio_of(request).workspace, document_of(request), await read_json(request)
+    text, version = text_of(data, "text", TOML_BYTES), text_of(data, "version")
+    found = await run_in_threadpool(document.check, text)
+    kept = workspace.state("drafts", f"{document.key}.json")
+    if text != document.state().text:
+        write_whole(kept, json.dumps({"text": text, "version": version}))
+    else:
+        kept.unlink(missing_ok=True)
+    return JSONResponse({"mistakes": [vars(mistake) for mistake in found]})
 
-    async def table(request: Request) -> Response:
-        from variantgen.studio.composition import table_of
 
-        number = number_of(request.path_params["number"], "problem", 1, _MOST)
-        return JSONResponse({"table": plain(table_of(opened(request), number))})
+async def draft(request: Request) -> Response:
+    """The draft that was left, if it differs from the file."""
+    studio, document = studio_of(request), document_of(request)
+    try:
+        found = json.loads(studio.workspace.state("drafts", f"{document.key}.json").read_text("utf-8"))
+        text, version = text_of(found, "text", TOML_BYTES), text_of(found, "version")
+    except (OSError, ValueError, AttributeError, RecursionError, InputError):
+        text = version = ""
+    return JSONResponse({"text": "" if text == document.state().text else text, "version": version})
 
-    async def families(request: Request) -> Response:
-        found = await run_in_threadpool(cards, studio.workspace)
-        titles = {card["family"]: card["titles"][language_of(request)] for card in found if not card["error"]}
-        return JSONResponse({"families": [{"name": name, "title": title} for name, title in titles.items()]})
 
-    return [
-        Route("/families", families),
-        Route("/{exam}/table/{number}", table),
-        Route("/{exam}/compose", compose),
-        Route("/{exam}/outline", outline),
-        Route("/{exam}/problem/{number}", problem),
-        Route("/{exam}/check", check, methods=["POST"]),
-        Route("/{exam}/draft", draft),
-    ]
+async def table(request: Request) -> Response:
+    """The table of a problem, as the file has it."""
+    from variantgen.studio.composition import table_of
+
+    number = number_of(request.path_params["number"], "problem", 1, _MOST)
+    return JSONResponse({"table": plain(table_of(document_of(request), number))})
+
+
+async def families(request: Request) -> Response:
+    """The families that a pool can take."""
+    found = await run_in_threadpool(cards, studio_of(request).workspace)
+    titles = {card["family"]: card["titles"][language_of(request)] for card in found if not card["error"]}
+    return JSONResponse({"families": [{"name": name, "title": title} for name, title in titles.items()]})
 
 
 def _source(document: Document) -> dict[str, Any]:
@@ -130,3 +126,14 @@ def _settings(document: Document) -> dict[str, Any]:
     found |= {"floor": percent(inside.get("floor")), "ceiling": percent(inside.get("ceiling"))}
     found["table"] = isinstance(tolerance, dict)
     return {name: "" if isinstance(value, dict) else value for name, value in found.items()}
+
+
+ROUTES = [
+    Route("/families", families),
+    Route("/{exam}/table/{number}", table),
+    Route("/{exam}/compose", compose),
+    Route("/{exam}/outline", outline),
+    Route("/{exam}/problem/{number}", problem),
+    Route("/{exam}/check", check, methods=["POST"]),
+    Route("/{exam}/draft", draft),
+]

@@ -13,78 +13,83 @@ from variantgen.limits import TOML_BYTES
 from variantgen.studio.documents.document import Document
 from variantgen.studio.documents.edits import read_operations, written
 from variantgen.studio.frame import command, language_of, render, step_words
-from variantgen.studio.requests import WINDOW, read_json, text_of
+from variantgen.studio.requests import WINDOW, document_of, read_json, studio_of, text_of
 from variantgen.studio.studio import Studio
 from variantgen.studio.summary import problems_of, summary
 from variantgen.studio.words import page_words
 from variantgen.studio.workspace import write_whole
 
 
-def routes(studio: Studio) -> list[Route]:
-    """The addresses of this page; they raise InputError for requests that do not fit."""
+async def exams(request: Request) -> Response:
+    """The page; with one exam, straight to it."""
+    studio = studio_of(request)
+    found = studio.workspace.exams()
+    unreadable = studio.workspace.unreadable()
+    if len(found) == 1 and not unreadable and "all" not in request.query_params:
+        key = next(iter(found))
+        page = "compose" if problems_of(studio.document(key)) else "choose"
+        return RedirectResponse(f"/{key}/{page}", 303)
+    words = page_words(language_of(request))
+    listed = [_row(studio.document(key), words.counted) for key in found]
+    line = command("variantgen", "new", "exam", "exam")
+    return render(request, "exams", studio, command=line, listed=listed, unreadable=unreadable)
 
-    async def exams(request: Request) -> Response:
-        found = studio.workspace.exams()
-        unreadable = studio.workspace.unreadable()
-        if len(found) == 1 and not unreadable and "all" not in request.query_params:
-            key = next(iter(found))
-            page = "compose" if problems_of(studio.document(key)) else "choose"
-            return RedirectResponse(f"/{key}/{page}", 303)
-        words = page_words(language_of(request))
-        listed = [_row(studio.document(key), words.counted) for key in found]
-        line = command("variantgen", "new", "exam", "exam")
-        return render(request, "exams", studio, command=line, listed=listed, unreadable=unreadable)
 
-    async def create(request: Request) -> Response:
-        data = await read_json(request)
-        title, language = text_of(data, "title", 200).strip(), text_of(data, "language")
-        if not title:
-            raise InputError(Problem("missing, expected a title", key="title"))
-        if language not in ("en", "ru"):
-            raise InputError(Problem("unknown language", key="language", value=language))
-        path = studio.workspace.new_exam_path(title)
-        lines = ["schema = 1", f"title = {written(title)}", f"language = {written(language)}", "seed = 2026"]
-        write_whole(path, "\n".join([*lines, "tolerance = 0.02", ""]))
-        key = next(key for key, known in studio.workspace.exams().items() if known == path)
-        return JSONResponse({"address": f"/{key}/choose"})
+async def create(request: Request) -> Response:
+    """A new exam file."""
+    workspace, data = studio_of(request).workspace, await read_json(request)
+    title, language = text_of(data, "title", 200).strip(), text_of(data, "language")
+    if not title:
+        raise InputError(Problem("missing, expected a title", key="title"))
+    if language not in ("en", "ru"):
+        raise InputError(Problem("unknown language", key="language", value=language))
+    path = workspace.new_exam_path(title)
+    lines = ["schema = 1", f"title = {written(title)}", f"language = {written(language)}", "seed = 2026"]
+    write_whole(path, "\n".join([*lines, "tolerance = 0.02", ""]))
+    key = next(key for key, known in workspace.exams().items() if known == path)
+    return JSONResponse({"address": f"/{key}/choose"})
 
-    async def edit(request: Request) -> Response:
-        data, document = await read_json(request), studio.document(request.path_params["exam"])
-        operations = read_operations(data.get("operations"))
-        window, version = text_of(data, "window", WINDOW), text_of(data, "version")
-        merged = document.edit(operations, version, window, text_of(data, "about"))
-        studio.tell_changed(document, window)
-        return JSONResponse({**answer(request, studio, document), "merged": merged})
 
-    async def text(request: Request) -> Response:
-        data, document = await read_json(request), studio.document(request.path_params["exam"])
-        window = text_of(data, "window", WINDOW)
-        document.replace(text_of(data, "text", TOML_BYTES), text_of(data, "version"), window)
-        studio.workspace.state("drafts", f"{document.key}.json").unlink(missing_ok=True)
-        studio.tell_changed(document, window)
-        return JSONResponse(answer(request, studio, document))
+async def edit(request: Request) -> Response:
+    """Change values of an exam, made on the version that is told."""
+    studio, document, data = studio_of(request), document_of(request), await read_json(request)
+    operations = read_operations(data.get("operations"))
+    window, version = text_of(data, "window", WINDOW), text_of(data, "version")
+    merged = document.edit(operations, version, window, text_of(data, "about"))
+    studio.tell_changed(document, window)
+    return JSONResponse({**answer(request, studio, document), "merged": merged})
 
-    async def state(request: Request) -> Response:
-        return JSONResponse(answer(request, studio, studio.document(request.path_params["exam"])))
 
-    def moving(by: int) -> Any:
-        async def move(request: Request) -> Response:
-            data, document = await read_json(request), studio.document(request.path_params["exam"])
-            step = document.undo(by, text_of(data, "version"))
-            studio.tell_changed(document, text_of(data, "window", WINDOW))
-            return JSONResponse({**answer(request, studio, document), "done": step is not None})
+async def text(request: Request) -> Response:
+    """Replace the whole text of an exam."""
+    studio, document, data = studio_of(request), document_of(request), await read_json(request)
+    window = text_of(data, "window", WINDOW)
+    document.replace(text_of(data, "text", TOML_BYTES), text_of(data, "version"), window)
+    studio.workspace.state("drafts", f"{document.key}.json").unlink(missing_ok=True)
+    studio.tell_changed(document, window)
+    return JSONResponse(answer(request, studio, document))
 
-        return move
 
-    return [
-        Route("/", exams),
-        Route("/exams", create, methods=["POST"]),
-        Route("/{exam}/state", state),
-        Route("/{exam}/edit", edit, methods=["POST"]),
-        Route("/{exam}/text", text, methods=["POST"]),
-        Route("/{exam}/undo", moving(-1), methods=["POST"]),
-        Route("/{exam}/redo", moving(+1), methods=["POST"]),
-    ]
+async def state(request: Request) -> Response:
+    """The version of an exam, what undo takes back, the numbers under the steps."""
+    return JSONResponse(answer(request, studio_of(request), document_of(request)))
+
+
+async def undo(request: Request) -> Response:
+    """Take the last change of an exam back."""
+    return await _moved(request, -1)
+
+
+async def redo(request: Request) -> Response:
+    """Do again what was taken back."""
+    return await _moved(request, +1)
+
+
+async def _moved(request: Request, by: int) -> Response:
+    studio, document, data = studio_of(request), document_of(request), await read_json(request)
+    step = document.undo(by, text_of(data, "version"))
+    studio.tell_changed(document, text_of(data, "window", WINDOW))
+    return JSONResponse({**answer(request, studio, document), "done": step is not None})
 
 
 def answer(request: Request, studio: Studio, document: Document) -> dict[str, Any]:
@@ -109,3 +114,14 @@ def _row(document: Document, counted: Any) -> dict[str, str]:
         "under": state.broken or counted(len(problems_of(document)), "problem"),
         "page": "compose" if problems_of(document) else "choose",
     }
+
+
+ROUTES = [
+    Route("/", exams),
+    Route("/exams", create, methods=["POST"]),
+    Route("/{exam}/state", state),
+    Route("/{exam}/edit", edit, methods=["POST"]),
+    Route("/{exam}/text", text, methods=["POST"]),
+    Route("/{exam}/undo", undo, methods=["POST"]),
+    Route("/{exam}/redo", redo, methods=["POST"]),
+]

@@ -14,69 +14,66 @@ from starlette.routing import Route
 from variantgen.errors import InputError, Problem
 from variantgen.studio.documents.document import Document
 from variantgen.studio.frame import language_of
-from variantgen.studio.preview import KINDS, Previews, class_of
-from variantgen.studio.requests import number_of, read_json, text_of
+from variantgen.studio.preview import KINDS, class_of
+from variantgen.studio.requests import document_of, number_of, read_json, studio_of, text_of
 from variantgen.studio.security import FIGURE_POLICY
 from variantgen.studio.studio import Studio
 from variantgen.studio.summary import students
 from variantgen.studio.words import page_words
 
 _MOST = 100  # problems of an exam
+_NAMES = 5000  # that are listed
 
 
-def routes(studio: Studio) -> list[Route]:
-    """The addresses of these; they raise InputError for requests that do not fit."""
-    previews = Previews()
-    studio.at_end.append(previews.close)
+async def attempt(request: Request) -> Response:
+    """The figure of a problem with the values at which sliders stand."""
+    studio, data, language = studio_of(request), await read_json(request), language_of(request)
+    document = document_of(request)
+    found = await studio.draw(lambda: _tried(studio, document, data, language))
+    return JSONResponse({**found, "n": data.get("n", 0)})
 
-    def opened(request: Request) -> Document:
-        return studio.document(request.path_params["exam"])
 
-    async def attempt(request: Request) -> Response:
-        data, document, language = await read_json(request), opened(request), language_of(request)
-        found = await studio.draw(lambda: _tried(studio, document, data, language))
-        return JSONResponse({**found, "n": data.get("n", 0)})
+async def room(request: Request) -> Response:
+    """How many variants a problem has, and which conditions reject the others."""
+    number = number_of(request.path_params["number"], "problem", 1, _MOST)
+    studio, document = studio_of(request), document_of(request)
+    query, language = request.query_params, language_of(request)
+    wanted = (query.get("family", ""), query.get("form", ""))
+    return JSONResponse(await studio.typeset(lambda: _room(studio, document, number, wanted, language)))
 
-    async def room(request: Request) -> Response:
-        number = number_of(request.path_params["number"], "problem", 1, _MOST)
-        query, language, document = request.query_params, language_of(request), opened(request)
-        wanted = (query.get("family", ""), query.get("form", ""))
-        return JSONResponse(await studio.typeset(lambda: _room(studio, document, number, wanted, language)))
 
-    async def sheet(request: Request) -> Response:
-        document, kind = opened(request), request.query_params.get("kind", "sheet")
-        if kind not in KINDS:
-            raise InputError(Problem("unknown kind", key="kind", value=kind[:20]))
-        place = number_of(request.path_params["student"], "student", 1, 1_000_000)
+async def sheet(request: Request) -> Response:
+    """Set the sheet, or the solution, of a student: its name and number of pages."""
+    studio, document = studio_of(request), document_of(request)
+    kind = request.query_params.get("kind", "sheet")
+    if kind not in KINDS:
+        raise InputError(Problem("unknown kind", key="kind", value=kind[:20]))
+    place = number_of(request.path_params["student"], "student", 1, 1_000_000)
 
-        def made() -> dict[str, Any]:
-            exam, everybody = document.exam(), class_of(studio.workspace)
-            if place > len(everybody):
-                raise InputError(Problem("there is no such student", value=str(place)))
-            name, count = previews.pages(exam, everybody, place - 1, kind)
-            return {"name": name, "pages": count}
+    def made() -> dict[str, Any]:
+        exam, everybody = document.exam(), class_of(studio.workspace)
+        if place > len(everybody):
+            raise InputError(Problem("there is no such student", value=str(place)))
+        name, count = studio.previews.pages(exam, everybody, place - 1, kind)
+        return {"name": name, "pages": count}
 
-        return JSONResponse(await studio.typeset(made))
+    return JSONResponse(await studio.typeset(made))
 
-    async def page(request: Request) -> Response:
-        number = number_of(request.path_params["page"], "page", 1, 1000)
-        content = previews.page(request.path_params["name"], number)
-        headers = {"cache-control": "private, max-age=31536000, immutable", "content-security-policy": FIGURE_POLICY}
-        return Response(content, media_type="image/svg+xml", headers=headers)
 
-    async def everybody(request: Request) -> Response:
-        def named() -> list[str]:
-            return [student.name or f"{student.id}" for student in class_of(studio.workspace)][:5000]
+async def page(request: Request) -> Response:
+    """One page that was set."""
+    number = number_of(request.path_params["page"], "page", 1, 1000)
+    content = studio_of(request).previews.page(request.path_params["name"], number)
+    headers = {"cache-control": "private, max-age=31536000, immutable", "content-security-policy": FIGURE_POLICY}
+    return Response(content, media_type="image/svg+xml", headers=headers)
 
-        return JSONResponse({"names": await run_in_threadpool(named), "roster": studio.workspace.roster() is not None})
 
-    return [
-        Route("/{exam}/students", everybody),
-        Route("/{exam}/room/{number}", room),
-        Route("/{exam}/try", attempt, methods=["POST"]),
-        Route("/{exam}/sheet/{student}", sheet),
-        Route("/{exam}/page/{name}/{page}.svg", page),
-    ]
+async def everybody(request: Request) -> Response:
+    """The names of the class."""
+    workspace = studio_of(request).workspace
+    students = await run_in_threadpool(class_of, workspace)
+    names = [student.name or f"{student.id}" for student in students[:_NAMES]]
+    return JSONResponse({"names": names, "roster": workspace.roster() is not None})
 
 
 def _tried(studio: Studio, document: Document, data: dict[str, Any], language: str) -> dict[str, Any]:
@@ -165,3 +162,12 @@ def _about(count: int, words: Any) -> str:
             return str(own[key]).format(number=round(count / size) if count >= 10 * size else f"{count / size:.1f}")
     rounded = count if count < 100 else round(count, 2 - len(str(count)))
     return f"≈ {words.counted(rounded, 'variant')}"
+
+
+ROUTES = [
+    Route("/{exam}/students", everybody),
+    Route("/{exam}/room/{number}", room),
+    Route("/{exam}/try", attempt, methods=["POST"]),
+    Route("/{exam}/sheet/{student}", sheet),
+    Route("/{exam}/page/{name}/{page}.svg", page),
+]

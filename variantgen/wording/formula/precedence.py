@@ -191,13 +191,13 @@ def _ends_with_slash(formula: Formula, flat: bool) -> bool:
 
 
 def between(factors: Sequence[Formula], i: int) -> Between:
-    """What stands between factor number ``i`` and the next: ``v cos φ``, ``2 ω``, else a dot."""
+    """What stands between factor number ``i`` and the next: ``v cos φ``, ``2 ω``, ``(a t + b) cm``, else a dot."""
     one, other = factors[i], factors[i + 1]
     if isinstance(other, Cross):
         other = other.left
     if _is_letter(one) and (isinstance(other, Function) or _is_power_of_function(other)):
         return Between.OPERATOR
-    if i == 0 and _is_whole(one) and _is_single_letter(other):
+    if isinstance(other, UnitText) or (i == 0 and _is_whole(one) and _is_single_letter(other)):
         return Between.THIN
     return Between.DOT
 

@@ -1,0 +1,56 @@
+"""The kept samples of work are those of the catalogue as it is, and are used for nothing else.
+
+After a change of a family or of a method: ``python -m variantgen.exam.work_samples`` makes them anew.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import pytest
+
+from variantgen.exam import work_samples
+from variantgen.exam.answer_tolerances import AnswerTolerances
+from variantgen.exam.kept_work import KEPT, WorkSample
+from variantgen.exam.tolerance import Tolerance
+from variantgen.exam.work_samples import catalogue_forms, kept_line, work_sample
+from variantgen.families.asking import read_ask
+from variantgen.families.load import load_family
+from variantgen.families.restrict import restrict
+from variantgen.variants.examined import examined
+
+MADE_BY = "stale: run  python -m variantgen.exam.work_samples"
+LINES = KEPT.read_text("utf-8").splitlines()[1:-1]
+SOME = [0, 28, 52, 88, 100, 128]  # sliding, a linkage, a thread, rolling, a slider, a rocker
+
+
+def test_each_form_of_the_catalogue_has_its_samples() -> None:
+    drawn: list[object] = []
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(work_samples, "drawn_sample", lambda *a: drawn.append((a[0].name, a[1].name)))
+        forms = list(catalogue_forms())
+        for family, form, asked in forms:
+            work_sample(family, form, asked, AnswerTolerances())
+    assert not drawn, MADE_BY
+    assert len(forms) == len(LINES), MADE_BY
+
+
+@pytest.mark.parametrize("place", SOME)
+def test_a_sample_drawn_anew_is_the_kept_one(place: int) -> None:
+    family, form, asked = list(catalogue_forms())[place]
+    assert kept_line(family, form, asked) == LINES[place].rstrip(","), MADE_BY
+
+
+def test_what_differs_from_the_catalogue_is_sampled(monkeypatch: pytest.MonkeyPatch) -> None:
+    new = WorkSample(Counter({(1, 0, 0): 48}), 48)
+    monkeypatch.setattr(work_samples, "drawn_sample", lambda *a: new)
+    family = restrict(load_family("slider_crank"), forms=("central",))
+    form = family.forms["central"]
+    usual = examined(form, read_ask(form))
+    assert work_sample(family, form, usual, AnswerTolerances()) is not new
+    narrow = restrict(family, ranges={"phi": [30, 60]})
+    assert work_sample(narrow, narrow.forms["central"], usual, AnswerTolerances()) is new
+    other_unit = restrict(family, units="mm")
+    assert work_sample(other_unit, other_unit.forms["central"], usual, AnswerTolerances()) is new
+    assert work_sample(family, form, usual[:1], AnswerTolerances()) is new
+    assert work_sample(family, form, usual, AnswerTolerances(Tolerance(mistakes=False))) is new

@@ -1,0 +1,179 @@
+"""A class list brought as it comes: columns by sight, questions, stable ids, what changed, nothing but a list."""
+
+from __future__ import annotations
+
+import io
+import re
+import zipfile
+from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
+
+import openpyxl
+import pytest
+from playwright.sync_api import expect
+
+from tests.studio.asking import Answer, Asking
+from tests.studio.conftest import Visit
+from tests.studio.test_attacks import SCRIPT
+from tests.studio.test_pages import barriers
+from variantgen.exam.roster import Student
+from variantgen.studio.roster import students
+from variantgen.studio.roster.table import ClassTable, Tab
+
+OFFICE = """School of Engineering\t\t\t
+No\tStudent\tMatr. no.\tClass
+1\tAlder, Zoe\tS4100\tME-21
+2\tHeron, Ben\tS4107\tME-21
+3\tHeron, Benjamin\tS4107\tME-22
+"""
+
+
+def bring(client: Asking, content: str | bytes, name: str = "list.csv") -> Answer:
+    body = content.encode() if isinstance(content, str) else content
+    return client.ask("PUT", f"/exam/roster/table?name={name}", (body,))
+
+
+def workbook(tabs: dict[str, Iterable[Sequence[str]]]) -> bytes:
+    book = openpyxl.Workbook()
+    del book["Sheet"]
+    for title, rows in tabs.items():
+        sheet = book.create_sheet(title)
+        for row in rows:
+            sheet.append(row)
+    out = io.BytesIO()
+    book.save(out)
+    return out.getvalue()
+
+
+def ready(client: Asking) -> dict[str, str]:
+    """What the page has to say of the table, from its attributes."""
+    return dict(re.findall(r'data-(ready|taken|asked|count)="([^"]*)"', client.get("/exam/roster/shown?tab=0").text))
+
+
+def test_a_pasted_table_becomes_the_class(visit: Callable[..., Visit]) -> None:
+    """Titles skipped, columns found by what stands in them, one question, and the list is used; then taken back."""
+    window = visit()
+    (window.folder / "roster.csv").unlink(missing_ok=True)
+    page = window.open("/exam/roster")
+    page.get_by_role("button", name="Paste a table").click()
+    page.get_by_role("textbox").fill(OFFICE)
+    page.get_by_role("button", name="Read").click()
+    page.get_by_text("Answer 1\N{NO-BREAK SPACE}question, then use").wait_for()
+    assert page.get_by_label("Column B is").input_value() == "name"
+    assert page.get_by_label("Column C is").input_value() == "id"
+    page.get_by_label("Column D is").select_option("group")
+    expect(page.locator(".report")).to_contain_text("ME-21")
+    assert barriers(page) == []
+    page.get_by_role("button", name="Two people").click()
+    page.get_by_role("button", name="Use: 3").click()
+    page.get_by_text("The class list is written.").wait_for()
+    written = (window.folder / "roster.csv").read_text()
+    assert written.splitlines() == [
+        "id,name,group", 'S4100,"Alder, Zoe",ME-21', 'S4107,"Heron, Ben",ME-21', 'S4107 [2],"Heron, Benjamin",ME-22'
+    ]  # fmt: skip
+    expect(page.locator("[data-under=roster]")).to_have_text("3\N{NO-BREAK SPACE}students")
+    expect(page.locator("#command")).to_contain_text("--roster")
+    page.locator("#toast").get_by_role("button", name="Undo").click()
+    expect(page.locator("[data-under=roster]")).to_have_text("no roster")
+    assert not (window.folder / "roster.csv").exists()
+    window.page.set_viewport_size({"width": 360, "height": 740})
+    assert page.evaluate("document.documentElement.scrollWidth") <= 360
+    assert window.complaints == []
+
+
+def test_tabs_are_groups_and_columns_are_said_once(client: Asking, folder: Path) -> None:
+    tabs = {
+        group: [["Person", "Sign"], [f"{name} One", sign], [f"{name} Two", sign + "x"]]
+        for group, name, sign in (("A-1", "Ann", "q"), ("A-2", "Bob", "w"))
+    }
+    assert bring(client, workbook({**tabs, "Staff": [["Phone"], ["12"]]}), "..%2f..%2fevil.xlsx").status == 200
+    assert client.post("/exam/roster/say", {"tab": 0, "column": 1, "kind": "id"}).status == 200
+    assert ready(client) == {"ready": "yes", "taken": "no", "asked": "0\N{NO-BREAK SPACE}questions", "count": "4"}
+    assert client.post("/exam/roster/use", {}).json()["students"] == 4
+    assert (folder / "roster.csv").read_text().splitlines()[1:] == [
+        "q,Ann One,A-1",
+        "qx,Ann Two,A-1",
+        "w,Bob One,A-2",
+        "wx,Bob Two,A-2",
+    ]
+    assert ready(client)["taken"] == "yes" and not (folder.parent / "evil.xlsx").exists()
+    # The next list with these heads is read the same way, and a tab can be left out.
+    bring(client, workbook({"B-1": [["Title of the year"], ["Person", "Sign"], ["Cem Three", "zz"]], **tabs}))
+    assert client.post("/exam/roster/say", {"tab": 2, "used": False}).status == 200
+    assert client.post("/exam/roster/use", {}).status == 200
+    assert (folder / "roster.csv").read_text().splitlines()[1:] == [
+        "zz,Cem Three,B-1",
+        "q,Ann One,A-1",
+        "qx,Ann Two,A-1",
+    ]
+
+
+def test_ids_stay_those_of_the_last_build() -> None:
+    before = [Student("S1", "Rowan Pia", "A"), Student("S2", "Wodruff Zoe", "A"), Student("S3", "Osier Kit", "A")]
+    rows = ((1, ["Pia Rowan", "S9", "A"]), (2, ["Woodruff Zoe", "S8", "A"]), (3, ["Swift Owen", "S7", "A"]))
+    table = ClassTable("", (Tab("", rows, 0, ("name", "id", "group"), True),))
+    asked = students.read_students(table, before).questions
+    assert [(q.key, q.before.id if q.before else "") for q in asked] == [("id:S9", "S1"), ("id:S8", "S2")]
+    answered = ClassTable("", table.tabs, {"id:S9": "same", "id:S8": "new"})
+    found = students.read_students(answered, before)
+    assert found.is_ready and [student.id for student in found.students] == ["S1", "S8", "S7"]
+
+
+def test_rows_that_need_an_answer_are_not_used_before(client: Asking, folder: Path) -> None:
+    bring(client, "name,id\nAnn\N{ZERO WIDTH SPACE} Lee,1a\nBob Ray,\n,3c\nAnn Lee,1a\n")
+    assert ready(client)["asked"].startswith("4") and client.post("/exam/roster/use", {}).status == 400
+    assert not (folder / "roster.csv").exists()
+    shown = client.get("/exam/roster/shown").text
+    answers = {"unseen": "clean", "no_id": "named", "no_name": "skip", "twice": "one"}
+    for key in re.findall(r'data-question="([^"]*)"', shown):
+        assert (
+            client.post("/exam/roster/say", {"question": key, "answer": answers[key.rpartition(":")[2]]}).status == 200
+        )
+    assert client.post("/exam/roster/use", {}).json()["students"] == 2
+    assert (folder / "roster.csv").read_text() == "id,name,group\n1a,Ann Lee,\nBob Ray,Bob Ray,\n"
+
+
+@pytest.mark.parametrize("language", ["en", "ru"])
+def test_names_are_never_markup_nor_paths(client: Asking, folder: Path, language: str) -> None:
+    before = {path for path in folder.parent.rglob("*") if ".studio" not in path.parts}
+    row = f'"{SCRIPT.replace(chr(34), chr(34) * 2)}"'
+    assert bring(client, f"name,id,group\n{row},{row},{row}\n", "%3Cscript%3Ealert(1)%3C%2Fscript%3E").status == 200
+    shown = client.get(f"/exam/roster/shown?lang={language}").text
+    assert "<script>alert" not in shown and "onerror=alert(1)>" not in shown and "&lt;script&gt;alert" in shown
+    bring(client, "name\nAnn Lee\n", "../../../etc/passwd%00")
+    assert {path for path in folder.parent.rglob("*") if ".studio" not in path.parts} == before
+    assert {path.name for path in (folder / ".studio" / "roster").iterdir()} == {"table", "said.json"}
+
+
+def test_tables_that_cannot_be_read_are_refused(client: Asking, folder: Path) -> None:
+    bomb = io.BytesIO()
+    with zipfile.ZipFile(bomb, "w", zipfile.ZIP_DEFLATED) as parts:
+        parts.writestr("xl/worksheets/sheet1.xml", b"0" * 60_000_000)
+    bring(client, "name\nAnn Lee\n")
+    for content in (bomb.getvalue(), b"PK\x03\x04nothing", b"\x00\x01\x02", b"\n\n", b""):
+        answer = bring(client, content, "class.xlsx")
+        assert answer.status == 400 and ".studio" not in answer.text
+    assert client.ask("PUT", "/exam/roster/table?name=x", content_length="60000000").status == 413
+    assert ready(client)["count"] == "1"  # the table before is still there
+    for data in (
+        {"tab": 5, "kind": "id"}, {"column": 7, "kind": "id"}, {"column": 0, "kind": "no"}, {"begin": -1},
+        {"question": "x", "answer": "no"}, {"column": [], "kind": "id"},
+    ):  # fmt: skip
+        assert client.post("/exam/roster/say", data).status == 400, data
+    for said in ("[", "[]", '{"name": 5, "tabs": [{"kinds": [1], "begin": 1e9, "used": 2}], "answers": []}'):
+        (folder / ".studio" / "roster" / "said.json").write_text(said)
+        assert client.get("/exam/roster/shown").status == 200
+    assert client.ask("PUT", "/exam/roster/table?name=x", (b"name\nAnn Lee\n",), host="evil.example").status == 421
+    assert (
+        client.ask("PUT", "/exam/roster/table?name=x", (b"name\nAnn Lee\n",), origin="http://evil.example").status
+        == 403
+    )
+
+
+def test_links_are_not_written_through(client: Asking, folder: Path) -> None:
+    outside = folder.parent / "outside.csv"
+    outside.write_text("name\nAnn Lee\n")
+    (folder / "roster.csv").symlink_to(outside)
+    bring(client, "name\nBob Ray\n")
+    assert client.post("/exam/roster/use", {}).status == 400
+    assert outside.read_text() == "name\nAnn Lee\n"

@@ -1,0 +1,163 @@
+"""Pools of composed families for the problems of exams: comparable in work, made once, then read like any family."""
+
+from __future__ import annotations
+
+import atexit
+import tempfile
+from collections.abc import Mapping, Sequence
+from contextlib import ExitStack, suppress
+from functools import cache
+from pathlib import Path
+from typing import NamedTuple
+
+from variantgen.errors import InputError
+from variantgen.exam.composed import write
+from variantgen.exam.wanted_work import LEVELS, MOST
+from variantgen.families.asking import read_ask
+from variantgen.families.files import FAMILY
+from variantgen.families.load import load_family
+from variantgen.families.quantities import motion_order
+from variantgen.synthesis.levels import chosen_structures, level
+from variantgen.synthesis.structures import Structure, code
+from variantgen.tables import Table
+from variantgen.variants.seeding import digest
+
+_MOST = 60  # structures of a problem of an exam
+_USUAL, _ENOUGH = 10, 5  # of one that does not say how many
+_WIDTH = 1.2  # most calculations over fewest of a pool
+_EACH, _ROUNDS = 6, 3  # structures looked at for each that is wanted, families of each
+_lasting = ExitStack()
+
+
+class _Options(NamedTuple):
+    """What an exam file says of a pool, all but how large it is."""
+
+    groups: tuple[str, ...]
+    links: int | None
+    level: str
+    seed: str
+
+    @property
+    def mark(self) -> str:
+        """The end of the names of its families."""
+        return f"_{digest('pool', ','.join(self.groups), self.links, self.level, self.seed).hex()[:6]}"
+
+
+class _Member(NamedTuple):
+    """A family that a pool may take: its calculations, whether accelerations are asked, its structure, its folder."""
+
+    calculations: int
+    accelerations: bool
+    structure: Structure
+    folder: Path
+
+
+def read_composed(table: Table, folders: Sequence[Path]) -> tuple[str, ...]:
+    """The families of ``compose = { groups, links, level, structures, seed }`` of a problem: names, or paths.
+
+    A pool that lies in one of the folders is taken as it lies there; else it is made, in a folder that lasts as long as
+    the process. Mistakes are noted in the table, and that there are fewer than wanted.
+    """
+    noted = len(table.problems)
+    groups = tuple(dict.fromkeys(table.strings("groups")))
+    wanted = table.choice("level", tuple(LEVELS)) if "level" in table.data else ""
+    table.expect("level")
+    links = table.take("links", int, 0) if "links" in table.data else None
+    table.expect("links")
+    said = table.take("structures", int, _USUAL) if "structures" in table.data else None
+    table.expect("structures")
+    options = _Options(groups, links, wanted, str(table.take("seed", (int, str), 0, "a whole number or a word")))
+    table.finish()
+    if said is not None and not 1 <= said <= _MOST:
+        table.problem(f"expected a number from 1 to {_MOST}", "structures", said)
+    with table.collecting(""):
+        there = len(chosen_structures(groups, links))
+        if there < (said or 1):
+            table.problem(f"there are only {there} such structures", "structures", said, f"structures = {there}")
+    if len(table.problems) > noted:
+        return ()
+    for folder in folders:
+        if names := sorted(path.parent.name for path in folder.glob(f"*{options.mark}/{FAMILY}")):
+            if said not in (None, len(names)):
+                remedy = f"structures = {len(names)}; or remove them, and the pool is made anew"
+                table.problem(f"{folder} has {len(names)} families of this pool", "structures", said, remedy)
+            return tuple(names)
+    found = _pool(options, said)
+    if len(found) < (said or 1):
+        remedy = f"structures = {len(found)}, " if found else ""
+        message = f"only {len(found)} structures give problems that are comparable in work"
+        table.problem(message, "structures", said or _USUAL, f"{remedy}another seed, level or groups")
+    return tuple(map(str, found))
+
+
+@cache
+def _pool(options: _Options, said: int | None) -> tuple[Path, ...]:
+    """The folders of so many families, or of as many as there are.
+
+    One after the other is made, of each structure one and then another one, until so many of different structures take
+    nearly the same number of calculations: first of those that usually are of the level, then of the others, if these
+    are needed.
+    """
+    count = said or _USUAL
+    structures = shuffled(chosen_structures(options.groups, options.links), options.seed, options.level)[
+        : _EACH * count
+    ]
+    usual = [structure for structure in structures if options.level in ("", level(structure))]
+    tried = _lasting_folder() / f"tried-{said}"
+    made, best = list[_Member](), list[_Member]()
+    for own in (usual, [structure for structure in structures if structure not in usual]):
+        for structure, round_ in ((structure, round_) for round_ in range(_ROUNDS) for structure in own):
+            if len(best) == count:
+                break
+            with suppress(InputError):  # other structures take its place
+                made.append(_member(options, structure, round_, tried))
+                best = max(best, _alike(made, count), key=len)
+        if said is None and len(best) >= _ENOUGH:
+            break
+    return tuple(sorted(member.folder for member in best))
+
+
+def _member(options: _Options, structure: Structure, round_: int, tried: Path) -> _Member:
+    """A family that may be taken, in a folder below ``tried``. Raises InputError."""
+    folder = tried / f"{round_}" / f"{code(structure).lower().replace('-', '_')}{options.mark}"
+    span = LEVELS.get(options.level, (1, MOST))
+    calculations = write(structure, (options.seed, round_), folder, span, with_case=False)
+    accelerations = motion_order(read_ask(next(iter(load_family(folder).forms.values())))) == 2
+    return _Member(calculations, accelerations, structure, folder)
+
+
+def _alike(made: Sequence[_Member], count: int) -> list[_Member]:
+    """The most families of different structures, at most so many, that ask for the same and take nearly the same."""
+    best: list[_Member] = []
+    for least, accelerations in sorted({(member.calculations, member.accelerations) for member in made}):
+        own: dict[Structure, _Member] = {}
+        for member in made:
+            if member.accelerations == accelerations and least <= member.calculations <= _WIDTH * least:
+                own.setdefault(member.structure, member)
+        best = max(best, list(own.values())[:count], key=len)
+    return best
+
+
+def shuffled(structures: Sequence[Structure], seed: object, wanted: str) -> list[Structure]:
+    """The structures in an order that depends on the seed; those that usually are of the wanted level come first."""
+
+    def place(structure: Structure) -> tuple[bool, bytes]:
+        return bool(wanted) and level(structure) != wanted, digest("order", code(structure), seed)
+
+    return sorted(structures, key=place)
+
+
+def folder_of(families: Mapping[str, Mapping[str, str]]) -> Path:
+    """A folder that lasts as long as the process, with families: the texts of their files, by name and file."""
+    folder = _lasting_folder() / digest("recorded", repr(sorted(families.items()))).hex()[:16]
+    for name, files in families.items():
+        (folder / name).mkdir(parents=True, exist_ok=True)
+        for file, text in files.items():
+            (folder / name / file).write_text(text, "utf-8")
+    return folder
+
+
+@cache
+def _lasting_folder() -> Path:
+    atexit.register(_lasting.close)
+    return Path(_lasting.enter_context(tempfile.TemporaryDirectory(prefix="variantgen-composed-")))

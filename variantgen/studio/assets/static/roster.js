@@ -1,0 +1,81 @@
+// Roster: a table brought as a file, dropped or pasted; its columns named by sight; the class list written from it.
+import { $, all, complain, exam, fill, lang, note, post, typing } from "./studio.js";
+
+const page = document.querySelector(".rosters"), words = JSON.parse(page.dataset.words);
+const use = $("use"), shown = $("shown");
+let tab = 0;
+
+async function show() {
+  const answer = await fetch(`/${exam}/roster/shown?${new URLSearchParams({ lang, tab })}`);
+  if (!answer.ok) return;
+  const focused = document.activeElement?.id, at = shown.querySelector(".scroll")?.scrollTop ?? 0, left = shown.querySelector(".scroll")?.scrollLeft ?? 0;
+  shown.innerHTML = await answer.text();
+  shown.setAttribute("aria-busy", "false");
+  const scroll = shown.querySelector(".scroll");
+  if (scroll) { scroll.scrollTop = at; scroll.scrollLeft = left; }
+  if (focused && document.activeElement === document.body) $(focused)?.focus();
+  const found = shown.firstElementChild?.dataset ?? {};
+  use.hidden = !("ready" in found);
+  use.disabled = found.ready !== "yes" || found.taken === "yes";
+  use.textContent = found.taken === "yes" ? fill(words.is_used, { students: found.students }) : found.ready === "yes" ? fill(words.use_these, { students: found.students }) : found.count === "0" ? words.no_students : fill(words.first_answer, { questions: found.asked });
+}
+async function say(data) {
+  try { await post(`/${exam}/roster/say`, data); await show(); } catch (error) { complain(error); }
+}
+async function bring(body, name) {
+  shown.setAttribute("aria-busy", "true");
+  try {
+    const answer = await fetch(`/${exam}/roster/table?${new URLSearchParams({ name, lang })}`, { method: "PUT", body, headers: { accept: "application/json" } });
+    const data = await answer.json();
+    if (!answer.ok) throw new Error(data.problems.map(p => [p.message, p.remedy].filter(Boolean).join(": ")).join("; "));
+    tab = 0;
+  } catch (error) { complain(error); }
+  await show();
+}
+function around(data) {
+  for (const [name, text] of Object.entries(data.under)) all(`[data-under="${name}"]`, document.body).forEach(place => { place.textContent = text; });
+  $("command").textContent = data.command;
+}
+
+shown.addEventListener("change", event => {
+  const { column, used } = event.target.dataset;
+  if (column !== undefined) say({ tab, column: Number(column), kind: event.target.value });
+  if (used !== undefined) { tab = Number(used); say({ tab, used: event.target.checked }); }
+});
+shown.addEventListener("click", event => {
+  const button = event.target.closest("button");
+  if (!button) return;
+  const { do: what, tab: other, begin, question, answer } = button.dataset;
+  if (what === "file") $("file").click();
+  if (what === "paste") { $("pasted").value = ""; $("paste").showModal(); }
+  if (other !== undefined) { tab = Number(other); show(); }
+  if (begin !== undefined) say({ tab, begin: Number(begin) });
+  if (question) say({ question, answer });
+});
+$("file").addEventListener("change", event => { const [file] = event.target.files; event.target.value = ""; if (file) bring(file, file.name); });
+$("read").addEventListener("click", () => { const text = $("pasted").value; $("paste").close(); if (text.trim()) bring(text, ""); });
+addEventListener("paste", event => {
+  if (typing(event) || $("paste").open) return;
+  const [file] = event.clipboardData.files, text = event.clipboardData.getData("text/plain");
+  if (file && /\.(xlsx|csv|tsv|txt)$/i.test(file.name)) bring(file, file.name); else if (text.trim()) bring(text, ""); else return;
+  event.preventDefault();
+});
+const files = event => event.dataTransfer?.types.includes("Files");
+addEventListener("dragover", event => { if (files(event)) { event.preventDefault(); page.classList.add("over"); } });
+addEventListener("dragleave", event => { if (!event.relatedTarget) page.classList.remove("over"); });
+addEventListener("drop", event => {
+  page.classList.remove("over");
+  if (!files(event)) return;
+  event.preventDefault();
+  const [file] = event.dataTransfer.files;
+  if (file) bring(file, file.name);
+});
+use.addEventListener("click", async () => {
+  use.disabled = true;
+  try {
+    const data = await post(`/${exam}/roster/use`, {});
+    around(data); await show();
+    note(words.written, words.take_back, async () => { try { around(await post(`/${exam}/roster/back`, {})); await show(); } catch (error) { complain(error); } });
+  } catch (error) { complain(error); await show(); }
+});
+await show();

@@ -1,0 +1,179 @@
+"""Roster: a class list brought as a file or pasted, its columns named by sight, compared with the last build."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from starlette.concurrency import run_in_threadpool
+from starlette.requests import Request
+from starlette.responses import HTMLResponse, JSONResponse, Response
+from starlette.routing import Route
+
+from variantgen.errors import InputError, Problem
+from variantgen.limits import ROSTER_BYTES
+from variantgen.studio.documents.document import Document
+from variantgen.studio.frame import build_command, language_of, part, render
+from variantgen.studio.requests import document_of, number_of, read_json, read_upload, studio_of, text_of
+from variantgen.studio.studio import Studio
+from variantgen.studio.summary import summary
+from variantgen.studio.words import page_words
+from variantgen.studio.workspace import ROSTER, write_whole
+
+if TYPE_CHECKING:
+    from variantgen.studio.roster.table import Tab
+
+
+async def roster(request: Request) -> Response:
+    """The whole page; its table comes afterwards."""
+    studio, document = studio_of(request), document_of(request)
+    return render(request, "roster", studio, document, build_command(studio, document))
+
+
+async def shown(request: Request) -> Response:
+    """The table, the changes and what is left to do, as a piece of the page."""
+    from variantgen.studio.roster.view import look
+
+    document, language = document_of(request), language_of(request)
+    tab = number_of(request.query_params.get("tab", "0"), "tab", 0, 10_000)
+    found = await run_in_threadpool(look, studio_of(request), document, tab, language)
+    return HTMLResponse(part(request, "roster_table", "roster", exam=document.key, **found))
+
+
+async def bring(request: Request) -> Response:
+    """A table in place of the one before; its name is shown and names nothing on disk."""
+    document_of(request)
+    name = request.query_params.get("name", "")[:200]
+    content = await read_upload(request, ROSTER_BYTES)
+    await run_in_threadpool(studio_of(request).class_tables.bring, content, name)
+    return JSONResponse({})
+
+
+async def say(request: Request) -> Response:
+    """What a column, a row, a worksheet is, or the answer to a question."""
+    data = await read_json(request)
+    document_of(request)
+    await run_in_threadpool(_said, studio_of(request), data)
+    return JSONResponse({})
+
+
+async def use(request: Request) -> Response:
+    """Write the class list; the one before can be taken back."""
+    await read_json(request)
+    studio, document = studio_of(request), document_of(request)
+    count = await run_in_threadpool(_written, studio, document)
+    return JSONResponse({"students": count, **_frame(studio, document, language_of(request))})
+
+
+async def back(request: Request) -> Response:
+    """Put the class list back that was there before."""
+    await read_json(request)
+    studio, document = studio_of(request), document_of(request)
+    await run_in_threadpool(_put_back, studio)
+    return JSONResponse(_frame(studio, document, language_of(request)))
+
+
+def _frame(studio: Studio, document: Document, language: str) -> dict[str, Any]:
+    """What changes around the page with the class list."""
+    words = page_words(language)
+    return {"under": summary(words, studio, document), "command": build_command(studio, document)}
+
+
+def _said(studio: Studio, data: dict[str, Any]) -> None:
+    """Keep what is said of the table. Raises InputError for what does not fit."""
+    from variantgen.studio.roster.students import ANSWERS
+
+    if not studio.class_tables.is_brought():
+        studio.class_tables.adopt()
+    table = studio.class_tables.current()
+    if table is None:
+        raise InputError(Problem("there is no table", remedy="bring one"))
+    answer, key = text_of(data, "answer"), text_of(data, "question", 1000)
+    if key:
+        if answer not in {"", *(known for own in ANSWERS.values() for known in own)}:
+            raise InputError(Problem("unknown answer", key=key, value=answer))
+        answers = {**table.answers, key: answer} if answer else {k: v for k, v in table.answers.items() if k != key}
+        studio.class_tables.say(replace(table, answers=answers, taken=""))
+        return
+    place = number_of(data.get("tab", 0), "tab", 0, len(table.tabs) - 1)
+    own, changed = table.tabs[place], _changed(table.tabs[place], data)
+    alike = {i for i, tab in enumerate(table.tabs) if tab.head == own.head != "" and tab.kinds == own.kinds}
+    if own.kinds == changed.kinds:  # what columns hold is said once for all tabs with the same heads
+        alike = set()
+    tabs = (
+        changed if i == place else replace(tab, kinds=changed.kinds) if i in alike else tab
+        for i, tab in enumerate(table.tabs)
+    )
+    studio.class_tables.say(replace(table, tabs=tuple(tabs), taken=""))
+
+
+def _changed(tab: Tab, data: dict[str, Any]) -> Tab:
+    """A worksheet with one thing that is said of it."""
+    from variantgen.studio.roster.table import KINDS
+
+    if isinstance(data.get("used"), bool):
+        return replace(tab, used=data["used"])
+    if "begin" in data:
+        return replace(tab, begin=number_of(data["begin"], "begin", 0, len(tab.rows)))
+    column = number_of(data.get("column"), "column", 0, len(tab.kinds) - 1)
+    kind = text_of(data, "kind")
+    if kind not in KINDS:
+        raise InputError(Problem("unknown kind", key="kind", value=kind))
+    kinds = ["" if kind and other == kind else other for other in tab.kinds]  # each stands once
+    kinds[column] = kind
+    return replace(tab, kinds=tuple(kinds))
+
+
+def _written(studio: Studio, document: Document) -> int:
+    """Write the class list of the table that was brought; the number of students. Raises InputError."""
+    from variantgen.exam.roster import read_class
+    from variantgen.studio.roster.students import read_students, roster_csv
+    from variantgen.studio.roster.table import file_hash
+    from variantgen.studio.roster.view import last_build, students_of
+
+    table = studio.class_tables.current()
+    reading = read_students(table, students_of(last_build(studio, document))) if table else None
+    if table is None or reading is None or not reading.is_ready:
+        raise InputError(Problem("the table still has questions", remedy="answer them first"))
+    workspace = studio.workspace
+    before, path, trial = workspace.roster(), workspace.folder / ROSTER, workspace.state("roster", "trial.csv")
+    text = roster_csv(reading.students)
+    write_whole(trial, text)
+    try:
+        found = read_class(trial)  # as a build reads it: what it would refuse is not written
+    finally:
+        trial.unlink(missing_ok=True)
+    old = workspace.state("roster", "before.csv")
+    if before is None:
+        old.unlink(missing_ok=True)
+    else:
+        write_whole(old, before.read_bytes())
+    write_whole(path, text)
+    studio.class_tables.remember(table)
+    if studio.class_tables.is_brought():
+        studio.class_tables.say(replace(table, taken=file_hash(path)))
+    return len(found.students)
+
+
+def _put_back(studio: Studio) -> None:
+    """Let the class list be as it was before the last one was used."""
+    workspace = studio.workspace
+    old, path = workspace.state("roster", "before.csv"), workspace.roster()
+    table = studio.class_tables.current() if studio.class_tables.is_brought() else None
+    if old.is_file():
+        write_whole(workspace.folder / ROSTER, old.read_bytes())
+        old.unlink()
+    elif path is not None:
+        path.unlink()
+    if table is not None:
+        studio.class_tables.say(replace(table, taken=""))
+
+
+ROUTES = [
+    Route("/{exam}/roster", roster),
+    Route("/{exam}/roster/shown", shown),
+    Route("/{exam}/roster/table", bring, methods=["PUT"]),
+    Route("/{exam}/roster/say", say, methods=["POST"]),
+    Route("/{exam}/roster/use", use, methods=["POST"]),
+    Route("/{exam}/roster/back", back, methods=["POST"]),
+]

@@ -1,0 +1,103 @@
+"""A law of time as its file writes it: ``φ = 0.2 t² + 0.1 t``, with its unit, for a problem that has no text."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from decimal import Decimal
+from typing import Any
+
+from variantgen.algebra.expression import (
+    Applied,
+    Constant,
+    Expression,
+    Magnitude,
+    Raised,
+    Ratio,
+    SquareRoot,
+    Times,
+    Total,
+    Variable,
+)
+from variantgen.families.expressions import FamilyExpression, parse
+from variantgen.families.family import Form
+from variantgen.families.units import UNITS, unit
+from variantgen.mechanism.constructions.coordinates import Coordinates
+from variantgen.mechanism.constructions.polar import Polar
+from variantgen.wording.formula import (
+    Absolute,
+    Equation,
+    Formula,
+    Fraction,
+    Function,
+    Measured,
+    Number,
+    Power,
+    Product,
+    Relation,
+    Root,
+    Sum,
+    SymbolProperty,
+)
+from variantgen.wording.language import Language
+from variantgen.wording.solution.phrases import load_phrases
+
+
+def law_equations(form: Form, language: Language) -> list[Equation]:
+    """The laws of a form, one equation each; the unit of a law of plain numbers stands behind it."""
+    found = []
+    for name, unit_name in form.laws.items():
+        right = _formula(parse(form.derived[name].text).tree, language, form.symbols)
+        if unit_name:
+            right = Product((right, language.unit(unit(unit_name))))
+        found.append(Equation(_left(form, name, language), right))
+    return found
+
+
+def _left(form: Form, law: str, language: Language) -> Formula:
+    """The letter of a law, after what it is in the scene: ``OB = s``, the angle of OA with the x axis, ``x_B = s``."""
+    own = language.symbol(law, form.symbols)
+    for name, template in form.points.items():
+        stated = [field for field, value in template.fields.items() if _is_law(value, law)]
+        if not stated or template.component not in (Polar, Coordinates):
+            continue
+        if template.component is Coordinates:
+            return Relation((language.symbol(f"{stated[0]}_{name}", form.symbols), own), ("=",))
+        line = language.symbol(template.fields["origin"] + name, form.symbols)
+        return Relation((SymbolProperty("angle", line) if stated[0] == "angle" else line, own), ("=",))
+    return own
+
+
+def _is_law(value: Any, law: str) -> bool:
+    return isinstance(value, FamilyExpression) and value.text.strip() == law
+
+
+def _formula(item: Expression, language: Language, symbols: Mapping[str, str]) -> Formula:
+    def of(part: Expression) -> Formula:
+        return _formula(part, language, symbols)
+
+    match item:
+        case Constant(value):
+            return _number(value, language)
+        case Variable(name):
+            return language.unit(unit(name)) if name in UNITS and name != "in" else language.symbol(name, symbols)
+        case Total(terms):
+            return Sum(tuple((sign, of(term)) for sign, term in terms))
+        case Times((Constant(value), Variable(name))) if name in UNITS:
+            return Measured(_number(value, language), language.unit(unit(name)))
+        case Times(factors):
+            return Product(tuple(of(factor) for factor in factors))
+        case Ratio(above, below):
+            return Fraction(of(above), of(below))
+        case Raised(base, exponent):
+            return Power(of(base), exponent)
+        case SquareRoot(inner):
+            return Root(of(inner))
+        case Magnitude(inner):
+            return Absolute(of(inner))
+        case Applied(function, argument):
+            return Function(load_phrases(language.name).functions[function], of(argument))
+    raise TypeError(f"no formula for {item!r}")
+
+
+def _number(value: float, language: Language) -> Number:
+    return language.decimal(Decimal(f"{value:.12g}"))
