@@ -33,8 +33,7 @@ def words_of_command(studio: Studio, folder: MarkingFolder) -> list[str]:
     words = ["mark", str(folder.build.folder), *map(str, given), "--out", str(folder.path / RESULT), "--force"]
     rules = folder.policy()
     words += ["--policy", str(rules)] if rules else []
-    own = any(studio.workspace.folder.glob("*/family.toml"))
-    return [*words, "--families", str(studio.workspace.folder)] if own else words
+    return [*words, *studio.workspace.families_option()]
 
 
 def command_of(studio: Studio, folder: MarkingFolder) -> str:
