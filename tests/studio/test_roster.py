@@ -74,7 +74,7 @@ def test_a_pasted_table_becomes_the_class(visit: Callable[..., Visit]) -> None:
     expect(page.locator("[data-under=roster]")).to_have_text("3\N{NO-BREAK SPACE}students")
     expect(page.locator("#command")).to_contain_text("--roster")
     page.locator("#toast").get_by_role("button", name="Undo").click()
-    expect(page.locator("[data-under=roster]")).to_have_text("no list")
+    expect(page.locator("[data-under=roster]")).to_have_text("no roster")
     assert not (window.folder / "roster.csv").exists()
     window.page.set_viewport_size({"width": 360, "height": 740})
     assert page.evaluate("document.documentElement.scrollWidth") <= 360

@@ -10,7 +10,7 @@ from variantgen.families.folders import family_names
 from variantgen.families.load import load_family
 from variantgen.studio.words import ASSETS, LANGUAGES
 
-PARTS = ("choose", "compose", "build", "roster", "play")  # pages whose pieces are templates of their own
+PARTS = ("choose", "compose", "build", "roster", "mark", "play")  # pages whose pieces are templates of their own
 
 
 def tables(language: str) -> dict[str, dict[str, str]]:

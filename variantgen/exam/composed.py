@@ -31,8 +31,8 @@ from variantgen.wording.solution.explain import explain
 from variantgen.wording.statement import statement
 
 _LOOKED_AT, _COUNTED = 3, 15  # variants whose figures are drawn, and whose work is counted where it matters
-_ROUGHLY = 1.15  # a few variants tell the work so well
-_TRIES = 3  # layouts of a structure whose work matters
+_ROUGHLY = 1.25  # one variant tells the work so well
+_TRIES = 4  # layouts of a structure whose work matters
 _KEY = ("compose", 0)  # in the place of student and problem
 
 
@@ -53,14 +53,20 @@ class _Examination:
         asked = read_ask(variants[0].form)
         motion = solve_variants(variants, 2)
         self.calculations = _calculations(variants, motion, asked)
-        if self._is_outside(_ROUGHLY):
-            return f"it takes about {self.calculations} calculations"
         if self._span is not None:
             more = draw(replace(family, name="composed"), None, [(str(i), "work", 0) for i in range(_COUNTED)])
             self.calculations = _calculations(more, solve_variants(more, 2), asked)
         if self._is_outside(1.0):
             return f"it takes {self.calculations} calculations"
         return next(_faults(variants, motion, asked), "")
+
+    def unfit(self, variant: Variant) -> str:
+        """Whether the work of one variant is far from what is wanted."""
+        if self._span is None:
+            return ""
+        motion = solve_variants([variant], 2)
+        self.calculations = _calculations([variant], motion, read_ask(variant.form))
+        return f"it takes about {self.calculations} calculations" if self._is_outside(_ROUGHLY) else ""
 
     def _is_outside(self, factor: float) -> bool:
         span = self._span
@@ -123,21 +129,19 @@ def write(
     folder: Path,
     span: Span | None = None,
     with_case: bool = True,
-    orders: Sequence[int] = (2, 1),
 ) -> int:
     """Write a composed family to a folder that is not there yet, complete or not at all; returns its calculations.
 
-    ``span``: how many calculations a variant of it takes; to meet it, as many layouts are tried with each of the
-    ``orders`` (2: accelerations are asked as well, 1: velocities alone). ``with_case``: with a worked case, whose last
-    digits may differ between machines. Raises InputError.
+    ``span``: how many calculations a variant of it takes; to meet it, only velocities may be asked. ``with_case``: with
+    a worked case, whose last digits may differ between machines. Raises InputError.
     """
     folder.parent.mkdir(parents=True, exist_ok=True)
     examination = _Examination(span)
     with tempfile.TemporaryDirectory(dir=folder.parent, prefix=f".{folder.name}-") as scratch:
         made = Path(scratch) / folder.name
         made.mkdir()
-        orders, tries = ((2,), MOST_TRIES) if span is None else (orders, _TRIES)
-        found = compose(structure, seed, AnswerTolerances(), made, examination, orders, tries)
+        orders, tries = ((2,), MOST_TRIES) if span is None else ((2, 1), _TRIES)
+        found = compose(structure, seed, AnswerTolerances(), made, examination, examination.unfit, orders, tries)
         files = found.files | ({CASES: _case(found.family)} if with_case else {})
         for name, text in files.items():
             (made / name).write_text(text, "utf-8")

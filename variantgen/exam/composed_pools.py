@@ -110,18 +110,18 @@ def _pool(options: _Options, said: int | None) -> tuple[Path, ...]:
             if len(best) == count:
                 break
             with suppress(InputError):  # other structures take its place
-                made.append(_member(options, structure, round_, tried, 2 if own is usual else 1))
+                made.append(_member(options, structure, round_, tried))
                 best = max(best, _alike(made, count), key=len)
         if said is None and len(best) >= _ENOUGH:
             break
     return tuple(sorted(member.folder for member in best))
 
 
-def _member(options: _Options, structure: Structure, round_: int, tried: Path, order: int) -> _Member:
-    """A family that may be taken, in a folder below ``tried``; order 1 asks for velocities alone. Raises InputError."""
+def _member(options: _Options, structure: Structure, round_: int, tried: Path) -> _Member:
+    """A family that may be taken, in a folder below ``tried``. Raises InputError."""
     folder = tried / f"{round_}" / f"{code(structure).lower().replace('-', '_')}{options.mark}"
     span = LEVELS.get(options.level, (1, MOST))
-    calculations = write(structure, (options.seed, round_), folder, span, with_case=False, orders=(order,))
+    calculations = write(structure, (options.seed, round_), folder, span, with_case=False)
     accelerations = motion_order(read_ask(next(iter(load_family(folder).forms.values())))) == 2
     return _Member(calculations, accelerations, structure, folder)
 

@@ -15,6 +15,7 @@ from variantgen.errors import InputError
 from variantgen.families.files import FAMILY
 from variantgen.limits import TOML_BYTES
 from variantgen.resources import catalog_dir
+from variantgen.studio.shipped import shipped_cards
 from variantgen.studio.words import ASSETS, LANGUAGES
 from variantgen.studio.workspace import Workspace, is_own, write_whole
 from variantgen.version import VERSION
@@ -76,7 +77,7 @@ def cards(workspace: Workspace) -> list[Card]:
         if not found or not isinstance(found, list) or not all(map(_is_card, found)):
             raise ValueError(kept)
     except (OSError, ValueError, TypeError, KeyError, AttributeError, RecursionError):
-        found = [card for family, path in files.items() for card in _cards_of(family, path, workspace)]
+        found = [card for family, path in files.items() for card in _known_cards(family, path, workspace)]
         for old in kept.parent.glob("cards-*.json"):
             old.unlink(missing_ok=True)
         write_whole(kept, json.dumps(found, ensure_ascii=False))
@@ -102,7 +103,15 @@ def _described() -> Mapping[str, Mapping[str, Mapping[str, Any]]]:
     return tomllib.loads((ASSETS / "catalogue.toml").read_text("utf-8"))
 
 
-def _cards_of(name: str, path: Path, workspace: Workspace) -> list[Card]:
+def _known_cards(name: str, path: Path, workspace: Workspace) -> list[Card]:
+    """The cards of a family, made in advance where they are."""
+    shipped = shipped_cards(name, path) if catalog_dir() in path.parents else None
+    if shipped is None:
+        return cards_of(name, path, workspace)
+    return [{**card, "version": family_version(path)} for card in shipped]
+
+
+def cards_of(name: str, path: Path, workspace: Workspace) -> list[Card]:
     """The cards of a family; of one that cannot be read a card that says why."""
     from variantgen.families.load import load_family
 

@@ -6,11 +6,14 @@ import hashlib
 from typing import TYPE_CHECKING, Any
 
 from variantgen.errors import InputError, Problem
+from variantgen.resources import catalog_dir
 from variantgen.studio.catalogue import ONLY, family_files, family_version, own_folders
+from variantgen.studio.shipped import shipped_figure
 from variantgen.studio.workspace import Workspace, write_whole
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from pathlib import Path
 
     from variantgen.variants.variant import Variant
 
@@ -25,29 +28,52 @@ _STYLE = (
 
 def card_figure(workspace: Workspace, family: str, form: str, seed: int, language: str) -> str:
     """The figure of a variant of a form, kept on disk. Raises InputError for what there is not."""
+    known = known_figure(workspace, family, form, seed, language)
+    if known is not None:
+        return known
+    text = draw_card(workspace, family, "" if form == ONLY else form, seed, language)
+    write_whole(_places(workspace, family, form, seed, language)[1], text)
+    return text
+
+
+def known_figure(workspace: Workspace, family: str, form: str, seed: int, language: str) -> str | None:
+    """The figure of a variant of a form, if it was made in advance or is kept on disk. Raises InputError."""
+    path, kept = _places(workspace, family, form, seed, language)
+    if seed == FIRST_SEED and catalog_dir() in path.parents:
+        shipped = shipped_figure(family, path, "" if form == ONLY else form, language)
+        if shipped is not None:
+            return shipped
+    try:
+        return kept.read_text("utf-8")
+    except OSError:
+        return None
+
+
+def _places(workspace: Workspace, family: str, form: str, seed: int, language: str) -> tuple[Path, Path]:
+    """The file of a family, and where a figure is kept. Raises InputError for what there is not."""
     files = family_files(workspace)
     if family not in files:
         raise InputError(Problem("unknown family", key="family", value=family))
     name = f"{family_version(files[family])}-{family}-{form}-{seed}-{language}.svg"
     if not name.replace("-", "").replace("_", "").replace(".", "").isalnum():
         raise InputError(Problem("unknown form", key="form", value=form))
-    kept = workspace.state("cache", "figures", name)
-    try:
-        return kept.read_text("utf-8")
-    except OSError:
-        text = _drawn(workspace, family, "" if form == ONLY else form, seed, language)
-    write_whole(kept, text)
-    return text
+    return files[family], workspace.state("cache", "figures", name)
 
 
-def _drawn(workspace: Workspace, family: str, form: str, seed: int, language: str) -> str:
+def draw_card(workspace: Workspace, family: str, form: str, seed: int, language: str) -> str:
+    """The figure of a variant of a form, drawn. Raises InputError for what there is not."""
     from variantgen.single import one_variant
 
     return figure_of(one_variant(family, seed=str(seed), form=form, folders=own_folders(workspace, family)), language)
 
 
-def figure_of(variant: Variant, language: str, ask: Sequence[str] = ()) -> str:
-    """The figure of a variant for what is asked (nothing: what its form asks)."""
+def figure_of(variant: Variant, language: str) -> str:
+    """The figure of a variant as an image of its own."""
+    return styled(drawn(variant, language))
+
+
+def drawn(variant: Variant, language: str, ask: Sequence[str] = ()) -> str:
+    """The figure of a variant for what is asked (nothing: what its form asks), in the style of the page around it."""
     from variantgen.figure.build import statement_figure
     from variantgen.outputs.figures.svg import svg
     from variantgen.single import asked_quantities
@@ -56,7 +82,7 @@ def figure_of(variant: Variant, language: str, ask: Sequence[str] = ()) -> str:
 
     asked = asked_quantities(variant, ask)
     drawing = statement_figure(variant, solve_variants([variant], 0), 0, asked, load_language(language))
-    return styled(svg(drawing))
+    return svg(drawing)
 
 
 def styled(text: str) -> str:

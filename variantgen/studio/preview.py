@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from variantgen.exam.exam_file import Exam
     from variantgen.exam.roster import Student
     from variantgen.exam.sheets import Sheet
+    from variantgen.finished.restore import Finished
     from variantgen.outputs.single.problem_page import Format
     from variantgen.outputs.typst.typesetter import Typesetter
 
@@ -49,10 +50,24 @@ class Previews:
         name = hashlib.sha256(f"{drawn_for}\n{place}\n{kind}".encode()).hexdigest()[:20]
         with self._lock:
             if name not in self._kept:
-                self._kept[name] = self._made(exam, students, place, kind, "svg", drawn_for)
-                while len(self._kept) > _KEPT:
-                    self._kept.popitem(last=False)
+                self._keep(name, self._made(exam, students, place, kind, "svg", drawn_for))
             self._kept.move_to_end(name)
+            return name, len(self._kept[name])
+
+    def finished_pages(self, finished: Finished, place: int, kind: str) -> tuple[str, int]:
+        """The name and the number of the pages of a sheet that was built. Raises InputError."""
+        from variantgen.outputs.single.one_sheet import sheet_pages
+        from variantgen.outputs.typst.typesetter import typesetter
+
+        record = finished.record
+        name = hashlib.sha256(f"{record.exam_id}\n{record.path}\n{place}\n{kind}".encode()).hexdigest()[:20]
+        with self._lock:
+            if name not in self._kept:
+                if self._engine is None:
+                    self._engine = self._open.enter_context(typesetter())
+                exam = _with_solutions(finished.exam) if kind == "solution" else finished.exam
+                sheet = finished.sheets([place])[0]
+                self._keep(name, sheet_pages(exam, sheet, self._engine, "svg", kind == "solution"))
             return name, len(self._kept[name])
 
     def sheet(self, exam: Exam, students: Sequence[Student], place: int) -> Sheet:
@@ -75,8 +90,8 @@ class Previews:
 
         if self._engine is None:
             self._engine = self._open.enter_context(typesetter())
-        if kind == "solution" and not exam.solutions.wanted:
-            exam = replace(exam, solutions=replace(exam.solutions, depth="full"))
+        if kind == "solution":
+            exam = _with_solutions(exam)
         return sheet_pages(exam, self._sheet(exam, students, place, drawn_for), self._engine, form, kind == "solution")
 
     def _sheet(self, exam: Exam, students: Sequence[Student], place: int, drawn_for: str) -> Sheet:
@@ -87,9 +102,19 @@ class Previews:
             self._drawn = drawn_for, DrawnClass(exam, students)
         return self._drawn[1].sheet(place)
 
+    def _keep(self, name: str, pages: list[bytes]) -> None:
+        self._kept[name] = pages
+        while len(self._kept) > _KEPT:
+            self._kept.popitem(last=False)
+
     def close(self) -> None:
         """Remove what the engine has on disk."""
         self._open.close()
+
+
+def _with_solutions(exam: Exam) -> Exam:
+    """An exam that has solutions, be it for the look of them alone."""
+    return exam if exam.solutions.wanted else replace(exam, solutions=replace(exam.solutions, depth="full"))
 
 
 def _drawn_for(exam: Exam, students: Sequence[Student]) -> str:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 from typing import Any
 
+from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request
 
 from variantgen.errors import InputError, Problem
@@ -49,6 +51,23 @@ async def read_upload(request: Request, most: int) -> bytes:
     if not content:
         raise InputError(Problem("the file is empty"))
     return bytes(content)
+
+
+async def save_upload(request: Request, path: Path, most: int) -> None:
+    """Write a file that is sent as the whole body. Raises InputError for an empty or too large one."""
+    size = 0
+    try:
+        with path.open("wb") as file:
+            async for piece in request.stream():
+                size += len(piece)
+                if size > most:
+                    raise InputError(Problem(f"is larger than {most // 1_000_000} MB", remedy="bring a smaller file"))
+                await run_in_threadpool(file.write, piece)
+        if not size:
+            raise InputError(Problem("the file is empty"))
+    except BaseException:
+        path.unlink(missing_ok=True)
+        raise
 
 
 def _no_number(name: str) -> None:

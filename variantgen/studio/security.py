@@ -5,7 +5,7 @@ The checks, in their order, for every method:
 - Host has to be this server, so that a foreign name which is made to point here (DNS rebinding) is refused;
 - Sec-Fetch-Site and, for what changes anything, Origin have to be those of a page of this server;
 - a cookie, SameSite=Strict, has the random token of the first address ``/?t=TOKEN``;
-- bodies have a size and a time in which they must have come.
+- bodies have a size, and times in which the next piece and the whole must have come.
 
 Answers get a policy under which no page runs a script or a style that is not a file of the studio.
 """
@@ -15,6 +15,7 @@ from __future__ import annotations
 import asyncio
 import logging
 import secrets
+import time
 from http.cookies import CookieError, SimpleCookie
 from urllib.parse import parse_qs
 
@@ -40,7 +41,10 @@ _HEADERS = {
 }
 EDIT_BYTES = 1_000_000  # of the body of an edit
 UPLOAD_BYTES = ROSTER_BYTES  # of an upload (PUT)
+SCANS_BYTES = 1_000_000_000  # of an upload of scans
 BODY_SECONDS = 20.0  # in which the next piece of a body must have come
+WHOLE_SECONDS = 60.0  # in which a whole body must have come, besides the time that its bytes take
+_SLOWEST = 100_000  # bytes a second
 _LOG = logging.getLogger("variantgen.studio")
 _READING = ("GET", "HEAD")
 _METHODS = (*_READING, "POST", "PUT")
@@ -84,7 +88,7 @@ class Guard:
             return _refused("another site asks", 403)
         if not self._is_known(headers):
             return self._door(scope) or _refused("open the address that  variantgen studio  has printed", 403)
-        return _size_refusal(headers, method)
+        return _size_refusal(headers, scope)
 
     def _is_known(self, headers: Headers) -> bool:
         """Whether the cookie has the token."""
@@ -110,16 +114,19 @@ class Guard:
         return answer
 
 
-def _size_refusal(headers: Headers, method: str) -> Response | None:
+def _size_refusal(headers: Headers, scope: Scope) -> Response | None:
     """What a body that is too large is answered, if it tells its size; the others are counted."""
     size = headers.get("content-length", "0")
     if not size.isascii() or not size.isdigit():
         return _refused("a size is a number", 400)
-    return _refused("too large", 413) if len(size) > 12 or int(size) > _most(method) else None
+    return _refused("too large", 413) if len(size) > 12 or int(size) > _most(scope) else None
 
 
-def _most(method: str) -> int:
-    return UPLOAD_BYTES if method == "PUT" else EDIT_BYTES
+def _most(scope: Scope) -> int:
+    """Bytes that a body may have."""
+    if scope["method"] != "PUT":
+        return EDIT_BYTES
+    return SCANS_BYTES if scope["path"].endswith("/mark/answers") else UPLOAD_BYTES
 
 
 def _refused(text: str, status: int) -> Response:
@@ -132,14 +139,16 @@ class BodyError(Exception):
 
 def _bounded(scope: Scope, receive: Receive) -> Receive:
     """What receives a body in time and not more than is read. Raises BodyError."""
-    most, got, done = _most(scope["method"]), 0, scope["method"] in _READING
+    begun = time.monotonic()
+    most, got, done = _most(scope), 0, scope["method"] in _READING
 
     async def next_message() -> Message:
         nonlocal got, done
+        rest = begun + WHOLE_SECONDS + got / _SLOWEST - time.monotonic()
         if done:  # only that the browser has gone can come
             return await receive()
         try:
-            message = await asyncio.wait_for(receive(), BODY_SECONDS)
+            message = await asyncio.wait_for(receive(), max(0.0, min(BODY_SECONDS, rest)))
         except TimeoutError:
             raise BodyError("too slow") from None
         got += len(message.get("body", b""))

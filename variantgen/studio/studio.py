@@ -12,13 +12,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
 from variantgen.errors import InputError, Problem
-from variantgen.studio.builds import Builds
+from variantgen.studio.builds import Builds, FinishedBuild
 from variantgen.studio.documents.document import Document
 from variantgen.studio.events import Events
 from variantgen.studio.preview import Previews
 from variantgen.studio.workspace import Workspace
 
 if TYPE_CHECKING:
+    from variantgen.studio.marking.folder import MarkingFolder
+    from variantgen.studio.marking.marked import MarkedBuild
     from variantgen.studio.roster.table import ClassTables
 
 T = TypeVar("T")
@@ -45,6 +47,7 @@ class Studio:
     figures: ThreadPoolExecutor = field(default_factory=lambda: ThreadPoolExecutor(1, "figures"))
     sheets: ThreadPoolExecutor = field(default_factory=lambda: ThreadPoolExecutor(1, "sheets"))
     previews: Previews = field(default_factory=Previews)
+    _markings: dict[Path, tuple[MarkingFolder, MarkedBuild]] = field(default_factory=dict)
     _documents: dict[Path, Document] = field(default_factory=dict)
     _lock: threading.Lock = field(default_factory=threading.Lock)
 
@@ -68,6 +71,17 @@ class Studio:
         from variantgen.studio.roster.table import ClassTables
 
         return ClassTables(self.workspace)
+
+    def marking(self, build: FinishedBuild) -> tuple[MarkingFolder, MarkedBuild]:
+        """What the marking of a build is made from, and its marks. Raises InputError for links."""
+        from variantgen.studio.marking.folder import MarkingFolder
+        from variantgen.studio.marking.marked import MarkedBuild
+
+        with self._lock:
+            if build.folder not in self._markings:
+                folder = MarkingFolder(self.workspace, build)
+                self._markings[build.folder] = folder, MarkedBuild(self.workspace, folder)
+            return self._markings[build.folder]
 
     async def draw(self, work: Callable[[], T]) -> T:
         """Do work on the thread of figures."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 from datetime import date
 from typing import Any
@@ -52,6 +53,18 @@ def _built(words: PageWords, studio: Studio, document: Document) -> str:
     return built_words(words, max(days)) if days else frame["not_yet"]
 
 
+def _marked(words: PageWords, studio: Studio, document: Document) -> str:
+    """How many students of the last build have handed in, as the page Mark has counted last."""
+    frame, last = words.of("frame"), next(iter(studio.builds.finished(document.key).values()), None)
+    if last is None:
+        return ""
+    try:
+        state = json.loads(studio.workspace.state("marks", f"{last.key}-state.json").read_text("utf-8"))
+        return frame["marked"].format(done=int(state["handed_in"]), all=int(state["students"]))
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
+        return frame["not_yet"]
+
+
 def summary(words: PageWords, studio: Studio, document: Document) -> dict[str, str]:
     """The words under each step."""
     problems = problems_of(document)
@@ -61,5 +74,5 @@ def summary(words: PageWords, studio: Studio, document: Document) -> dict[str, s
         "compose": words.counted(points, "point"),
         "roster": _class_words(words, studio),
         "build": _built(words, studio, document),
-        "mark": "",
+        "mark": _marked(words, studio, document),
     }

@@ -91,6 +91,7 @@ def line_on(draft: Draft, number: int) -> Link:
         draft.hint("hidden", end)
     body = f"slider{link.start}"
     draft.bodies[body] = [link.start, *ends]
+    draft.bars.append((ends[1], ends[0]))
     draft.joint("translation", body=body)
     draft.hint("grooves", ends)
     draft.symbols[body] = ""

@@ -27,6 +27,7 @@ from variantgen.variants.attempts import FormSampler
 from variantgen.variants.batch import MakeScreening, RejectionCounts
 from variantgen.variants.screening import motion_screens, sensitivity
 from variantgen.variants.seeding import Stream
+from variantgen.variants.variant import Variant
 
 MOST_TRIES = 40  # layouts of a structure
 _LOOKED_AT, _BY_HAND = 48, 6  # draws of a layout: all of them, and those whose solutions are worked out
@@ -51,21 +52,23 @@ def compose(
     screening: MakeScreening,
     scratch: Path,
     faults: Callable[[Family], str],
+    unfit: Callable[[Variant], str],
     orders: Sequence[int] = (2,),
     tries: int = MOST_TRIES,
 ) -> Composed:
     """A family of a structure that passes all screens; which one depends on the seed.
 
-    ``screening`` are further screens of draws, ``faults`` says what else is wrong with a family, "" for nothing;
-    ``scratch`` is a folder to try layouts in, at most ``tries``. ``orders``: first accelerations are asked as well (2),
-    then velocities alone (1). Raises InputError where none passes.
+    ``screening`` are further screens of draws, ``faults`` says what else is wrong with a family, "" for nothing, and
+    ``unfit`` of its first variant, before much is worked out; ``scratch`` is a folder to try layouts in, at most
+    ``tries``. ``orders``: first accelerations are asked as well (2), then velocities alone (1). Raises InputError where
+    none passes.
     """
     chance, why = Chance("compose", code(structure), seed), "no layout"
     for _ in range(tries):
         try:
             draft = lay_out(structure, chance)
             for order in orders:
-                files, family = _accepted(draft, structure, screening, scratch, order)
+                files, family = _accepted(draft, structure, screening, scratch, order, unfit)
                 why = faults(family)
                 if not why:
                     return Composed(structure, files, family)
@@ -117,14 +120,22 @@ def _titles(structure: Structure) -> dict[str, str]:
 
 
 def _accepted(
-    draft: Draft, structure: Structure, screening: MakeScreening, scratch: Path, order: int
+    draft: Draft,
+    structure: Structure,
+    screening: MakeScreening,
+    scratch: Path,
+    order: int,
+    unfit: Callable[[Variant], str],
 ) -> tuple[dict[str, str], Family]:
     """The files of a draft that passes, and its family. Raises LayoutError, InputError."""
     _, draws, width = _varied(draft, structure, scratch)
     asked = _asked(draft, draws, order)
     text = family_text(draft, _titles(structure), code(structure), asked, width)
     family = _family(text, scratch)
-    if _Draws(family, _quantities(family, asked), _VALID_ASKED).fit(screening) < _FIT:
+    draws = _Draws(family, _quantities(family, asked), _VALID_ASKED)
+    if why := unfit(draws.variant(0)):
+        raise LayoutError(why)
+    if draws.fit(screening) < _FIT:
         raise LayoutError("rounding by hand leads too far")
     return {FAMILY: text, **_statements(draft)}, family
 
@@ -160,12 +171,16 @@ class _Draws:
         found = sensitivity(self.form, values, on_paper, [quantity], self.motion)
         return np.asarray(passed & (found <= self.form.screens.sensitivity))
 
+    def variant(self, place: int) -> Variant:
+        """One of them."""
+        return self.sampler.variant(self.attempts, place)
+
     def fit(self, screening: MakeScreening) -> int:
         """How many of the first of them can be worked out by hand, with a solution that leads to the answers."""
         values, on_paper = self.sampler.si(self.attempts), self.sampler.frame(self.attempts)
         screens = screening(self.form, values, on_paper, self.sampler.asked, self.motion)
         places = np.flatnonzero(np.all(list(screens.of_all().values()), axis=0))[:_BY_HAND].tolist()
-        variants = [self.sampler.variant(self.attempts, place) for place in places]
+        variants = [self.variant(place) for place in places]
         if not variants:
             return 0
         return int(np.count_nonzero(np.all(list(screens.of_survivors(variants, places).values()), axis=0)))

@@ -14,7 +14,7 @@ from variantgen.synthesis.draft import Draft
 
 Bar: TypeAlias = tuple[str, str]
 _SMALLEST = 80.0  # cm: while the first links are laid out, the mechanism counts as large as this
-_APART, _CLEAR, _BASE = 0.085, 0.06, 1.6  # of hinges; of a hinge from a foreign link; more of a fixed one: sizes
+_APART, _CLEAR, _BASE = 0.09, 0.06, 1.5  # of hinges; of a hinge from a foreign link; more of a fixed one: sizes
 _FOLDED, _STRAIGHT = 18, 10  # degrees between two links at a common hinge, and from one straight line
 _MARGIN = 0.2  # of its guide, at each end, that a block keeps clear
 _RATIO = 4.0  # longest over shortest length
@@ -45,7 +45,8 @@ def crossed(draft: Draft, z: Mapping[str, NDArray[np.complex128]]) -> NDArray[np
 
 def _near(draft: Draft) -> str:
     for one, other in combinations(_visible(draft), 2):
-        if draft.distance(one, other) < _APART * _size(draft):
+        need = _APART * (_BASE if {one, other} & set(draft.pivots) else 1.0)
+        if draft.distance(one, other) < need * _size(draft):
             return f"{one} near {other}"
     return ""
 
@@ -66,6 +67,8 @@ def _on_bars(draft: Draft) -> str:
 def _bars(draft: Draft) -> str:
     """Two links that cross, or that lie on each other."""
     for one, other in combinations(draft.bars, 2):
+        if _members(draft, one) == _members(draft, other):
+            continue
         if not _joined(draft, one, other):
             if _cross(draft.z, one, other):
                 return "links cross"

@@ -9,7 +9,7 @@ from typing import Any, TypeAlias
 
 from variantgen.synthesis.chance import Chance
 
-LETTERS = "ABDEFGHKLMNQ"  # of moving points in the order of growth; C would be read as a fixed one, P is the centre
+LETTERS = "ABCDEFGHKLMNQ"  # of moving points in the order of growth; P is the centre of velocities
 ANGLES = ("beta", "gamma", "delta", "psi", "theta")  # alpha is an angular acceleration in English
 _LENGTH_STEP, _ANGLE_STEP = 2, 5  # cm, degrees
 Facts: TypeAlias = dict[str, str]

@@ -139,7 +139,8 @@ def yoke(draft: Draft, links: tuple[int, int], dyad: AssurGroup, _: dict[int, st
     draft.joint("translation", body=body)
     draft.joint("guide", point=stem, **({"angle": guide} if guide else {}))
     draft.joint("slot", point=at.point, body=body, along=[top, low])
-    draft.bars.append((foot, end))
+    draft.bars += [(foot, end), (low, top)]
+    draft.inside.append((at.point, low, top))
     draft.relative.append(("yoke", {"point": at.point, "block": "block"}))
     draft.links[links[0]] = Link(at.point, noun="block", guide=guide, arm_only=True, mates={dyad.on})
     draft.links[links[1]] = Link(end, noun="yoke", guide=guide, body=body)

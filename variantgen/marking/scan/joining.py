@@ -35,16 +35,18 @@ def join(
     scans: Sequence[Path],
     policy: MarkingPolicy,
     names: Mapping[Path, str] | None = None,
+    collected: Scans | None = None,
 ) -> Joined:
     """Read scans and put their answers behind those of tables. Raises InputError and ToolMissingError.
 
-    ``names`` are words for the files where their own may name students.
+    ``names`` are words for the files where their own may name students; ``collected`` is what was read from the scans
+    before, whose doubtful readings are confirmed in place.
     """
     if not finished.exam.scan:
         remedy = "type the answers into a table; the next exam has them with  [answers] scan = true  in its file"
         raise InputError(Problem("the exam was built without pages for answers", str(scans[0]), remedy=remedy))
     key = Key(finished.record, policy.tolerance)
-    found = collect(scans, key, names)
+    found = collect(scans, key, names) if collected is None else collected
     typed = typed_before(key, read.answers)
     _confirm_what_follows(finished, read, found, typed, policy)
     own = Scans({asked: answer for asked, answer in found.answers.items() if not _is_typed(asked, found, typed)})

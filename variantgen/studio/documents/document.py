@@ -138,25 +138,13 @@ class Document:
         try:
             self.exam()
         except InputError as error:
-            return self._located(error, self.state().text)
+            return located(error.problems, self.state().text, self.path)
         return []
 
     def check(self, text: str) -> list[Mistake]:
         """What would be wrong with another text of the file."""
         found = self._checked(text)
-        return self._located(found, text) if isinstance(found, InputError) else []
-
-    def _located(self, error: InputError, text: str) -> list[Mistake]:
-        try:
-            found = places(text) if not _state(text, self.path).broken else None
-        except (ValueError, IndexError):
-            found = None
-        mistakes = []
-        for problem in error.problems:
-            line = found.line(parse_path(problem.key)) if found else _line_of(problem.message)
-            value = f" ({problem.value})" if problem.value else ""
-            mistakes.append(Mistake(line, problem.key, problem.message + value, problem.remedy))
-        return mistakes
+        return located(found.problems, text, self.path) if isinstance(found, InputError) else []
 
     def edit(self, operations: Sequence[Operation], version: str, window: str = "", about: str = "") -> bool:
         """Change the file by operations that were made on a version of it; whether others have changed it since.
@@ -256,6 +244,20 @@ class Document:
             return {"words": step.words, "about": step.about}
 
 
+def located(problems: Sequence[Problem], text: str, path: Path) -> list[Mistake]:
+    """Problems of a TOML text at its lines; ``path`` is that of its file."""
+    try:
+        found = places(text) if not _state(text, path).broken else None
+    except (ValueError, IndexError):
+        found = None
+    mistakes = []
+    for problem in problems:
+        line = found.line(parse_path(problem.key)) if found else line_of(problem.message)
+        value = f" ({problem.value})" if problem.value else ""
+        mistakes.append(Mistake(line, problem.key, problem.message + value, problem.remedy))
+    return mistakes
+
+
 def _state(text: str, path: Path) -> State:
     try:
         return State(text, version_of(text), parse_toml(text, path))
@@ -263,8 +265,8 @@ def _state(text: str, path: Path) -> State:
         return State(text, version_of(text), {}, error.problems[0].message)
 
 
-def _line_of(message: str) -> int:
-    """The line that the reader of TOML names."""
+def line_of(message: str) -> int:
+    """The line that a reader names in its message; 1 where it names none."""
     _, _, rest = message.partition("line ")
     digits = rest[: len(rest) - len(rest.lstrip("0123456789"))]
     return int(digits) if digits else 1

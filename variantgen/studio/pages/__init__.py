@@ -11,6 +11,6 @@ from __future__ import annotations
 
 from types import ModuleType
 
-from variantgen.studio.pages import archive, build, choose, compose, exams, play, previews, roster
+from variantgen.studio.pages import archive, author, build, choose, compose, exams, mark, play, previews, roster
 
-PAGES: tuple[ModuleType, ...] = (exams, choose, compose, previews, roster, build, archive, play)
+PAGES: tuple[ModuleType, ...] = (exams, choose, compose, previews, roster, build, archive, mark, play, author)

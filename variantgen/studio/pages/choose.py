@@ -13,7 +13,7 @@ from starlette.routing import Route
 from variantgen.errors import InputError, Problem
 from variantgen.studio.catalogue import KINDS, ONLY, TOPICS, cards
 from variantgen.studio.documents.document import Document
-from variantgen.studio.figures import FIRST_SEED, MOST_SEEDS, card_figure, specimen
+from variantgen.studio.figures import FIRST_SEED, MOST_SEEDS, card_figure, known_figure, specimen
 from variantgen.studio.frame import command, language_of, part, render
 from variantgen.studio.requests import document_of, number_of, read_json, studio_of, text_of
 from variantgen.studio.security import FIGURE_POLICY
@@ -58,7 +58,8 @@ async def figure(request: Request) -> Response:
     studio, path = studio_of(request), request.path_params
     seed = number_of(path["seed"], "seed", 0, MOST_SEEDS)
     language = language_of(request)
-    text = await studio.draw(lambda: card_figure(studio.workspace, path["family"], path["form"], seed, language))
+    wanted = (studio.workspace, path["family"], path["form"], seed, language)
+    text = await run_in_threadpool(known_figure, *wanted) or await studio.draw(lambda: card_figure(*wanted))
     lasting = "private, max-age=31536000, immutable" if "v" in request.query_params else "no-store"
     headers = {"cache-control": lasting, "content-security-policy": FIGURE_POLICY}
     return Response(text, media_type="image/svg+xml", headers=headers)

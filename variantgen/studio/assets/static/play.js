@@ -102,12 +102,14 @@ $("other").addEventListener("click", async () => {
   try {
     const answer = await fetch(`${location.pathname}/mechanisms?lang=${lang}`);
     $("list").innerHTML = await answer.text();
+    filter();
   } catch (error) { complain(error); }
 });
-$("search").addEventListener("input", () => {
+$("search").addEventListener("input", filter);
+function filter() {
   const searched = $("search").value.toLowerCase().replaceAll("ё", "е").split(/\s+/).filter(Boolean);
   for (const tile of all(".tiles li")) tile.hidden = !searched.every(word => tile.dataset.text.includes(word));
-});
+}
 
 // ---- keys
 addEventListener("keydown", event => {

@@ -1,0 +1,98 @@
+"""Families of the folder: begun, kept with conflicts, shown with their mistakes; nothing outside is touched."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.studio.asking import Asking
+from variantgen.resources import catalog_dir
+
+
+@pytest.fixture
+def own(client: Asking, folder: Path) -> Path:
+    """A family that was begun in the studio."""
+    assert client.post("/author/new", {"name": "own", "start": ""}).json() == {"address": "?family=own"}
+    return folder / "own"
+
+
+def kept(client: Asking, file: str, text: str, version: str) -> tuple[int, dict[str, object]]:
+    found = client.post("/author/own/save", {"file": file, "text": text, "version": version})
+    return found.status, found.json()
+
+
+def test_a_copy_has_the_files_of_its_source(client: Asking, folder: Path) -> None:
+    assert client.post("/author/new", {"name": "mine", "start": "spool"}).status == 200
+    names = sorted(path.name for path in (folder / "mine").iterdir())
+    source = catalog_dir() / "spool"
+    assert names == sorted(path.name for path in source.iterdir())
+    assert all((folder / "mine" / name).read_bytes() == (source / name).read_bytes() for name in names)
+
+
+@pytest.mark.parametrize(
+    "data", [{"name": "../out"}, {"name": "four_bar"}, {"name": "A"}, {"name": "own", "start": "../exam"}, {"name": 1}]
+)
+def test_what_cannot_be_begun_is_refused(client: Asking, folder: Path, data: dict[str, object]) -> None:
+    before = sorted(folder.iterdir())
+    assert client.post("/author/new", data).status == 400
+    assert sorted(path for path in folder.iterdir() if path.name != ".studio") == before
+
+
+def test_a_text_is_kept_unless_another_was_faster(client: Asking, own: Path) -> None:
+    state = client.get("/author/own/state").json()
+    before, version = state["texts"]["family.toml"], state["versions"]["family.toml"]
+    status, data = kept(client, "family.toml", before + "# mine\n", version)
+    assert status == 200 and (own / "family.toml").read_text("utf-8") == before + "# mine\n"
+    (own / "family.toml").write_text(before + "# theirs\n", "utf-8")
+    status, answer = kept(client, "family.toml", before + "# mine again\n", str(data["version"]))
+    assert status == 409 and answer["theirs"] == before + "# theirs\n"
+    assert (own / "family.toml").read_text("utf-8") == before + "# theirs\n"
+
+
+def test_ends_of_lines_stay(client: Asking, own: Path) -> None:
+    (own / "statement.en.j2").write_bytes(b"One.\r\nTwo.\r\n")
+    version = client.get("/author/own/state").json()["versions"]["statement.en.j2"]
+    assert kept(client, "statement.en.j2", "One.\nThree.\n", version)[0] == 200
+    assert (own / "statement.en.j2").read_bytes() == b"One.\r\nThree.\r\n"
+
+
+def test_links_and_other_files_are_left_alone(
+    client: Asking, own: Path, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    outside = tmp_path_factory.mktemp("outside") / "secret.toml"
+    outside.write_text("secret")
+    for file in ("../exam.toml", "notes.txt", "/etc/passwd"):
+        assert kept(client, file, "x", "")[0] == 400
+    (own / "cases.toml").unlink()
+    (own / "cases.toml").symlink_to(outside)
+    assert client.get("/author/own/state").status == 400
+    assert kept(client, "cases.toml", "x", "")[0] == 400 and outside.read_text() == "secret"
+    (own.parent / "linked").symlink_to(outside.parent)
+    assert client.get("/author/linked/state").status == 404
+    assert client.get("/author/spool/state").status == 404  # the catalogue is not the folder
+
+
+def test_mistakes_have_file_and_line(client: Asking, own: Path) -> None:
+    text = (own / "family.toml").read_text("utf-8")
+    line = text.split("\n").index('A = { polar = { origin = "O", distance = "OA", angle = "phi" } }') + 1
+    (own / "family.toml").write_text(text.replace('distance = "OA"', 'distance = "OX"'), "utf-8")
+    (mistake,) = client.get("/author/own/look?seed=1").json()["mistakes"]
+    assert (mistake["file"], mistake["line"]) == ("family.toml", line)
+    (own / "family.toml").write_text(text, "utf-8")
+    (own / "statement.ru.j2").write_text("Кривошип\n{{ phii }}\n", "utf-8")
+    found = client.get("/author/own/look?seed=1").json()
+    assert set(found["statements"]) == {"en"} and found["figure"].startswith("<svg")
+    assert [(m["file"], m["line"], m["nearest"]) for m in found["mistakes"]] == [("statement.ru.j2", 2, "phi")]
+
+
+def test_markup_in_a_family_is_text(client: Asking, own: Path) -> None:
+    text = (own / "statement.en.j2").read_text("utf-8")
+    (own / "statement.en.j2").write_text("<script>x</script> " + text, "utf-8")
+    told = client.get("/author/own/look?seed=1").json()["statements"]["en"]
+    assert "<script>" not in told and "&lt;script&gt;" in told
+
+
+def test_a_solution_is_set(client: Asking, own: Path) -> None:
+    found = client.get("/author/own/solution/-/3.svg?lang=ru")
+    assert found.status == 200 and found.content.startswith(b"<svg")

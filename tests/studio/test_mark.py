@@ -1,0 +1,295 @@
+"""A class is marked by sight: tables, typing, scans; whatever is written is what the command writes, byte for byte."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import re
+import shlex
+import shutil
+import zipfile
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.marking.test_scan import STUDENTS, Built, build, filled, written
+from tests.studio.asking import PORT, Answer, Asking
+from tests.studio.conftest import TOKEN, Visit
+from tests.studio.test_pages import barriers
+from variantgen.cli import main
+from variantgen.exam.manifest import Manifest, read_manifest
+from variantgen.studio.app import make_app
+from variantgen.studio.studio import Studio
+from variantgen.studio.workspace import Workspace
+
+BUILD = "exam-2026-01-02"
+CLASS = """\
+schema = 1
+title = "Homework"
+language = "en"
+formats = ["xlsx"]
+
+[solutions]
+depth = "none"
+
+[[problem]]
+family = "slider_crank"
+form = "central"
+ask = ["v_B", "a_B"]
+points = 10
+"""
+
+
+@pytest.fixture(scope="session")
+def scan_exam(tmp_path_factory: pytest.TempPathFactory) -> Built:
+    """A build for three students with pages for answers."""
+    return build(tmp_path_factory.mktemp("scan"), "en")
+
+
+@pytest.fixture
+def course(scan_exam: Built, tmp_path: Path) -> Path:
+    """A folder with this exam and its build."""
+    folder = tmp_path / "course"
+    (folder / "builds").mkdir(parents=True)
+    shutil.copy(scan_exam.folder.parent / "exam.toml", folder)
+    shutil.copytree(scan_exam.folder, folder / "builds" / BUILD)
+    return folder
+
+
+@pytest.fixture
+def asking(course: Path) -> Iterator[Asking]:
+    studio = Studio(Workspace(course))
+    yield Asking(make_app(studio, TOKEN, PORT), f"variantgen-{PORT}={TOKEN}")
+    studio.close()
+
+
+def bring(asking: Asking, content: bytes, name: str = "answers.csv") -> Answer:
+    return asking.ask("PUT", f"/exam/mark/answers?build={BUILD}&name={name}", (content,))
+
+
+def say(asking: Asking, code: str, problem: int, quantity: str, text: str) -> Answer:
+    data = {"code": code, "problem": problem, "quantity": quantity, "text": text}
+    return asking.post(f"/exam/mark/say?build={BUILD}", data)
+
+
+def shown(asking: Asking, **query: str) -> str:
+    words = "&".join(f"{name}={value}" for name, value in {"build": BUILD, **query}.items())
+    return asking.get(f"/exam/mark/shown?{words}").text
+
+
+def files(folder: Path) -> dict[str, bytes]:
+    return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+
+
+def by_command(command: str, out: Path) -> dict[str, bytes]:
+    """What the command that the page shows writes into another folder."""
+    words = shlex.split(command)[1:]
+    words[words.index("--out") + 1] = str(out)
+    assert main(words) == 0
+    return files(out)
+
+
+def paste_class(window: Visit) -> None:
+    """A class of 108 students, pasted."""
+    for name in ("builds", "marks", ".studio/roster"):
+        shutil.rmtree(window.folder / name, ignore_errors=True)
+    page = window.open("/exam/roster")
+    page.get_by_role("button", name="Paste a table").click()
+    listed = "\n".join(f"Student {chr(65 + i // 26)}{chr(97 + i % 26)},S{i},G{i % 3}" for i in range(108))
+    page.get_by_role("textbox").fill("name,id,group\n" + listed)
+    page.get_by_role("button", name="Read").click()
+    page.get_by_role("button", name="Use: 108").click()
+    page.get_by_text("The class list is written.").wait_for()
+
+
+def build_class(window: Visit) -> Path:
+    """The build of the class."""
+    window.open("/exam/build").get_by_role("button", name="Build", exact=True).click()
+    expect(window.page.locator("[data-build]")).to_have_count(1, timeout=90_000)
+    [built] = (window.folder / "builds").iterdir()
+    return built
+
+
+def answers_of(record: Manifest) -> bytes:
+    """A table of all students but the last: the first twenty have a wrong sign, every ninth has left one out."""
+    out = io.StringIO()
+    table = csv.writer(out)
+    table.writerow(("student", "1.v_B", "1.a_B"))
+    for i, sheet in enumerate(record.sheets[:107]):
+        v, a = (answer.value for answer in sheet.problems[0].answers)
+        table.writerow((sheet.code, f"{-v if i < 20 else v:.5g}", f"{a:.5g}" if i % 9 else ""))
+    return out.getvalue().encode()
+
+
+def test_a_class_of_108_goes_the_whole_way(visit: Callable[..., Visit], tmp_path: Path) -> None:
+    """A roster pasted, an exam built, a class marked; the marks are those of the command."""
+    window = visit(CLASS)
+    paste_class(window)
+    built = build_class(window)
+    record = read_manifest(built)
+    page = window.open("/exam/mark")
+    page.locator("#file").set_input_files([{"name": "quiz.csv", "mimeType": "text/csv", "buffer": answers_of(record)}])
+    page.get_by_text("Handed in: 107 of 108").wait_for()
+    # The last one is typed, by keyboard alone: the code, Enter, the answers.
+    last = record.sheets[107]
+    page.get_by_role("searchbox").fill(f"variantgen:1:{record.exam_id}:{last.code}")
+    page.keyboard.press("Enter")
+    page.get_by_role("heading", name=last.student.name).wait_for()
+    for answer in last.problems[0].answers:
+        page.keyboard.type(f"{answer.value:.5g}")
+        page.keyboard.press("Enter")
+    page.get_by_text("Handed in: 108 of 108").wait_for()
+    assert barriers(page) == []
+    expect(page.locator("[data-under=mark]")).to_have_text("108 of 108")
+    # Other rules, with their effect before they are used.
+    page.get_by_role("button", name="Class and rules").click()
+    page.get_by_label("Sign").fill("50")
+    page.keyboard.press("Tab")
+    page.get_by_text("Points rise for 20, fall for 0; other grades: 0.").wait_for()
+    page.get_by_role("button", name="Use these rules").click()
+    page.get_by_text("The rules are written.").wait_for()
+    page.get_by_role("button", name="Write the marks").click()
+    page.get_by_text("The marks are written.").wait_for(timeout=60_000)
+    result = window.folder / "marks" / built.name / "result"
+    assert files(result) == by_command(page.locator("#command").inner_text(), tmp_path / "marks")
+    totals = list(csv.DictReader((result / "totals.csv").read_text("utf-8-sig").splitlines()))
+    assert [row["points"] for row in totals if row["code"] == last.code] == ["10"]
+    assert [row["points"] for row in totals if row["code"] == record.sheets[1].code] == ["7.5"]  # 5 * 0.5 + 5
+    assert barriers(page) == []
+    page.get_by_role("button", name="By question").click()
+    page.get_by_text("One answer across the class").wait_for()
+    assert barriers(page) == []
+    page.set_viewport_size({"width": 360, "height": 740})
+    assert page.evaluate("document.documentElement.scrollWidth") <= 360
+    assert window.complaints == []
+
+
+def test_doubtful_readings_are_decided(asking: Asking, course: Path, scan_exam: Built, tmp_path: Path) -> None:
+    """A faint digit waits with its picture; what somebody reads is in review.csv and stands for the command, too."""
+    own = scan_exam.key[1]
+    page = filled(scan_exam.pages[1], [*(written(value) for _, value in own[:-1]), "77"], [(4, 3, 5, 200)])
+    page.save(tmp_path / "scan.pdf", resolution=150)
+    assert bring(asking, (tmp_path / "scan.pdf").read_bytes(), "My scan.pdf").status == 200
+    code = scan_exam.code(1)
+    found = shown(asking, code=code)
+    assert found.count('class="doubtrow"') == 1 and "a faint mark" in found
+    picture = asking.get(f"/exam/mark/picture?build={BUILD}&code={code}&problem=2&quantity=v_O")
+    assert picture.headers["content-type"] == "image/png" and picture.content[1:4] == b"PNG"
+    assert 'class="doubtrow"' in shown(asking, view="questions", problem="2", quantity="v_O")
+    assert "Doubtful 1" in asking.get(f"/exam/mark/list?build={BUILD}").text
+    assert say(asking, code, 2, "v_O", written(own[-1][1])).json() == {"verdict": "right", "before": ""}
+    assert 'class="doubtrow"' not in shown(asking, code=code)
+    marks = course / "marks" / BUILD
+    assert list(csv.reader((marks / "review.csv").read_text().splitlines())) == [
+        ["student", "problem", "quantity", "reading"],
+        [code, "2", "v_O", written(own[-1][1])],
+    ]
+    assert asking.post(f"/exam/mark/write?build={BUILD}", {}).status == 200
+    command = re.search(r'id="command"[^>]*>([^<]*)', asking.get("/exam/mark").text)
+    assert command and "result/review.csv" in command[1]
+    assert files(marks / "result") == by_command(command[1], tmp_path / "marks")
+    marks_csv = csv.DictReader((marks / "result" / "marks.csv").read_text("utf-8-sig").splitlines())
+    [row] = [row for row in marks_csv if row["code"] == code and row["quantity"] == "v_O"]
+    assert row["verdict"] == "right"
+    assert asking.get(f"/exam/mark/sheet?build={BUILD}&code={code}&kind=solution").json()["pages"] >= 1
+
+
+def test_typed_answers_stand_before_tables_and_are_taken_back(asking: Asking, course: Path, scan_exam: Built) -> None:
+    code, (name, value) = scan_exam.code(0), scan_exam.key[0][0]
+    problem, quantity = int(name.partition(".")[0]), name.partition(".")[2]
+    assert bring(asking, f"student,{name}\n{code},{-value:.5g}\n".encode()).status == 200
+    assert 'class="v wrong"' in shown(asking, code=code) and "opposite" in shown(asking, code=code)
+    assert "противоположный" in shown(asking, code=code, lang="ru").casefold()
+    assert say(asking, code, problem, quantity, f"{value:.5g}").json()["verdict"] == "right"
+    assert 'class="v wrong"' not in shown(asking, code=code)
+    assert say(asking, code, problem, quantity, "").json() == {"verdict": "blank", "before": f"{value:.5g}"}
+    assert 'class="v wrong"' in shown(asking, code=code)
+    assert asking.post(f"/exam/mark/drop?build={BUILD}", {"file": "answers-1.csv"}).status == 200
+    assert "Handed in: 0 of 3" in asking.get(f"/exam/mark/list?build={BUILD}").text
+    assert asking.get(f"/exam/mark/find?build={BUILD}&who=young").json() == {"code": scan_exam.code(2)}
+
+
+SCRIPT = "<script>alert(1)</script>"
+
+
+def test_answers_from_outside_do_no_harm(asking: Asking, course: Path, scan_exam: Built) -> None:
+    code, name = scan_exam.code(0), scan_exam.key[0][0][0]
+    bomb = io.BytesIO()
+    with zipfile.ZipFile(bomb, "w", zipfile.ZIP_DEFLATED) as parts:
+        parts.writestr("xl/worksheets/sheet1.xml", b"0" * 60_000_000)
+    for content in (bomb.getvalue(), b"PK\x03\x04nothing", b"\x00\x01", b"name,mark\nAnn,5\n", b""):
+        answer = bring(asking, content, "../../evil.xlsx")
+        assert answer.status == 400 and ".studio" not in answer.text
+    assert not (course / "marks").exists() or not list((course / "marks" / BUILD).iterdir())
+    table = f"student,{name}\n{code},{SCRIPT}\n{SCRIPT},5\n"
+    assert bring(asking, table.encode(), "..%2f..%2f" + SCRIPT.replace("/", "%2f")).status == 200
+    assert {path.name for path in (course / "marks" / BUILD).iterdir()} == {"answers-1.csv"}
+    everything = [
+        shown(asking, code=code),
+        shown(asking, view="class"),
+        asking.get(f"/exam/mark/list?build={BUILD}").text,
+    ]
+    assert all("<script>" not in text for text in everything) and any("&lt;script&gt;" in text for text in everything)
+    assert asking.ask("PUT", f"/exam/mark/answers?build={BUILD}", content_length="2000000000").status == 413
+    for host, origin, status in (("evil.example", None, 421), (None, "http://evil.example", 403)):
+        more = {key: value for key, value in (("host", host), ("origin", origin)) if value}
+        assert asking.ask("PUT", f"/exam/mark/answers?build={BUILD}", (b"x",), **more).status == status
+    for build_key in ("", "..", "nothing", "../exam-2026-01-02"):
+        assert asking.get(f"/exam/mark/list?build={build_key}").status == 404
+    for path in (
+        "shown?code=x",
+        "shown?view=questions&problem=1&quantity=no",
+        "sheet?code=x",
+        "picture?code=x&problem=1",
+    ):
+        assert asking.get(f"/exam/mark/{path}&build={BUILD}").status == 404, path
+    assert say(asking, code, 1, "no", "5").status == say(asking, "x", 1, "v_B", "5").status == 404
+    assert say(asking, code, 9, "v_B", "5").status == 404 and say(asking, code, 1, "v_B", "1\u202e2").status == 400
+    for fields in ({"sign": "200"}, {"no": "1"}, {"tolerance": "0"}, {"sign": "NaN"}, [], {"sign": []}):
+        assert asking.post(f"/exam/mark/policy?build={BUILD}", {"fields": fields, "use": True}).status == 400, fields
+    assert asking.post(f"/exam/mark/drop?build={BUILD}", {"file": "../answers-1.csv"}).status == 400
+    assert asking.get(f"/exam/mark/result/0?build={BUILD}").status == 400
+    (course / "marks" / BUILD / "policy.toml").write_text("sign = [")
+    assert "policy.toml" in asking.get(f"/exam/mark/list?build={BUILD}").text
+    (course / ".studio" / "marks" / f"{BUILD}.json").write_text("[")
+    (course / ".studio" / "marks" / f"{BUILD}-state.json").write_text(json.dumps({"handed_in": "x"}))
+    assert asking.get(f"/exam/mark/list?build={BUILD}").status == asking.get("/exam/mark").status == 200
+
+
+def test_markings_follow_no_links(asking: Asking, course: Path) -> None:
+    outside = course.parent / "outside"
+    outside.mkdir()
+    (course / "marks").symlink_to(outside)
+    assert bring(asking, b"student,1.v_B\nAnn Lee,5\n").status == 400
+    assert list(outside.iterdir()) == []
+
+
+def test_a_build_is_checked_given_another_key_and_its_sheet_found(
+    asking: Asking, course: Path, scan_exam: Built
+) -> None:
+    assert asking.post(f"/builds/{BUILD}/verify", {}).json() == {"right": True, "faults": [], "answers": 15}
+    sheet = asking.get(f"/builds/{BUILD}/search?who=young").json()
+    assert sheet["name"] == "Cy Young" and sheet["code"] == scan_exam.code(2)
+    assert asking.get(f"/builds/{BUILD}/sheet.pdf?who=young").content[:5] == b"%PDF-"
+    built = course / "builds" / BUILD
+    sheets, before = (built / "sheets.pdf").read_bytes(), read_manifest(built)
+    for wrong in ("", "0", "x", "-1", "200", "1e9", "NaN"):
+        assert asking.post(f"/builds/{BUILD}/rekey", {"tolerance": wrong}).status == 400, wrong
+    assert read_manifest(built).sheets == before.sheets
+    said = asking.post(f"/builds/{BUILD}/rekey", {"tolerance": "5 %"}).json()
+    assert said["command"] == f"variantgen rekey {built} --tolerance 0.05"
+    after = read_manifest(built)
+    assert (built / "sheets.pdf").read_bytes() == sheets
+    pairs = zip(before.sheets[0].problems[0].answers, after.sheets[0].problems[0].answers, strict=True)
+    assert all(new.tolerance > old.tolerance and new.value == old.value for old, new in pairs)
+
+
+def test_the_exam_of_next_year_is_compared_with_builds(asking: Asking, course: Path) -> None:
+    """The same series for the same class gives the variants that were handed out, another one gives none of them."""
+    (course / "roster.csv").write_text(STUDENTS)
+    assert asking.get("/exam/overlap?seed=4").json() == {"variants": 6, "same": 6, "builds": 1}
+    assert asking.get("/exam/overlap?seed=2027").json() == {"variants": 6, "same": 0, "builds": 1}
+    assert asking.get("/exam/overlap?seed=").status == 400

@@ -1,0 +1,128 @@
+"""What is done to a marking: files brought, answers said, rules changed; and the command that writes the marks."""
+
+from __future__ import annotations
+
+import shutil
+import zipfile
+from decimal import Decimal, InvalidOperation
+from pathlib import Path
+from typing import Any
+
+from variantgen.errors import InputError, Problem
+from variantgen.exam.marking_policy import MarkingPolicy
+from variantgen.letters import unseen
+from variantgen.marking.answer_tables import FormWords, read_answers
+from variantgen.marking.marks import verdict_of
+from variantgen.marking.scan.pictures import is_picture
+from variantgen.studio.frame import command
+from variantgen.studio.marking.folder import RESULT, REVIEW, TYPED, MarkingFolder
+from variantgen.studio.marking.marked import MarkedBuild
+from variantgen.studio.marking.views import Words, effect, policy_fields, with_fields
+from variantgen.studio.requests import number_of, text_of
+from variantgen.studio.studio import Studio, UnknownKeyError
+
+_LONGEST = 60  # letters of an answer
+
+
+def words_of_command(studio: Studio, folder: MarkingFolder) -> list[str]:
+    """The command that writes these marks."""
+    given = folder.every()
+    review = folder.path / RESULT / "review.csv"
+    if review.is_file():  # what was typed into it by hand stands, too
+        given.append(review)
+    words = ["mark", str(folder.build.folder), *map(str, given), "--out", str(folder.path / RESULT), "--force"]
+    rules = folder.policy()
+    words += ["--policy", str(rules)] if rules else []
+    return [*words, *studio.workspace.families_option()]
+
+
+def command_of(studio: Studio, folder: MarkingFolder) -> str:
+    """The command as the page shows it."""
+    words = words_of_command(studio, folder)
+    if not folder.every():
+        words.insert(2, "ANSWERS")
+    return command("variantgen", *words)
+
+
+def take(folder: MarkingFolder, marked: MarkedBuild, incoming: Path, name: str) -> None:
+    """Keep a file with answers, if it has some. Raises InputError."""
+    try:
+        with incoming.open("rb") as file:
+            path = folder.next_path(file.read(8))
+        finished = marked.current().finished
+        if is_picture(path):
+            if not finished.exam.scan:
+                text = "the exam was built without pages for answers"
+                raise InputError(Problem(text, file=name, remedy="type the answers, or bring a table"))
+        else:
+            trial = incoming.with_suffix(path.suffix)
+            shutil.move(incoming, trial)
+            incoming = trial
+            try:
+                read_answers([trial], FormWords.of(finished.exam))
+            except InputError as error:
+                text = str(error).replace(str(trial), name or "table")
+                raise InputError(Problem(text)) from None
+        shutil.move(incoming, path)
+    finally:
+        incoming.unlink(missing_ok=True)
+    folder.name(path, name)
+
+
+def said(folder: MarkingFolder, marked: MarkedBuild, data: dict[str, Any]) -> dict[str, Any]:
+    """Write an answer. Raises InputError and UnknownKeyError for one that the exam does not ask."""
+    found = marked.current()
+    code, name = text_of(data, "code", 40), text_of(data, "quantity", 80)
+    text, number = text_of(data, "text", _LONGEST).strip(), number_of(data.get("problem"), "problem", 1, 999)
+    if unseen(text):
+        raise InputError(Problem("holds characters that cannot be seen", key="text"))
+    try:
+        place = found.place(code)
+        answers = {answer.quantity.name: answer for answer in found.key.answers(place, number)}
+        answer = answers[name]
+    except KeyError:
+        raise UnknownKeyError(f"{code} {number}.{name}"[:80]) from None
+    scanned = (place, number, name) in found.scanned
+    file = REVIEW if scanned else TYPED
+    entries = folder.written(file)
+    asked = code, number, name
+    before = entries.pop(asked, "")
+    if text:
+        entries[asked] = text
+    folder.write(file, entries)
+    return {"verdict": verdict_of(answer, text)[2].value, "before": before}
+
+
+def with_policy(folder: MarkingFolder, marked: MarkedBuild, data: dict[str, Any], language: str) -> dict[str, Any]:
+    """What rules change; written if ``use`` is true. Raises InputError for what is no rule."""
+    found, given = marked.current(), data.get("fields")
+    known = policy_fields(found.policy)
+    if not isinstance(given, dict) or not given.keys() <= known.keys():
+        raise InputError(Problem("expected rules", key="fields"))
+    fields = {name: _rule(name, text) for name, text in given.items()}
+    rules: MarkingPolicy = with_fields(found.policy, fields)
+    answer = effect(found.marked, found.by_policy(rules), Words(found, language))
+    if data.get("use") is True:
+        folder.write_policy(rules)
+    return answer
+
+
+def _rule(name: str, text: object) -> Decimal:
+    """A rule as it was typed: per cent, a factor or a step."""
+    most = {"tolerance": 10, "problem_step": 100, "total_step": 100}.get(name, 100)
+    try:
+        found = Decimal(str(text).replace(",", ".").replace("%", "").strip()[:12])
+    except InvalidOperation:
+        found = Decimal("NaN")
+    if not found.is_finite() or not 0 <= found <= most or (name == "tolerance" and not found):
+        raise InputError(Problem(f"expected a number from 0 to {most}", key=name, value=str(text)[:20]))
+    return found
+
+
+def pack(folder: MarkingFolder, path: Path) -> None:
+    """All that the command has written in one file."""
+    home = folder.path / RESULT
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as packed:
+        for own in sorted(home.rglob("*")):
+            if own.is_file() and not own.is_symlink():
+                packed.write(own, str(own.relative_to(home)))

@@ -1,0 +1,129 @@
+"""The marks of a build, computed again as soon as something that they are made from has changed."""
+
+from __future__ import annotations
+
+import threading
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from variantgen.errors import InputError, VariantgenError
+from variantgen.exam.manifest import read_manifest
+from variantgen.exam.marking_policy import MarkingPolicy, read_policy_file
+from variantgen.families.folders import family_folders
+from variantgen.finished.restore import Finished, restore
+from variantgen.marking.answer_tables import FormWords, ReadAnswers, read_answers
+from variantgen.marking.drawn import as_drawn
+from variantgen.marking.key import Key
+from variantgen.marking.marks import Marked, mark
+from variantgen.marking.scan.collecting import Question, Scans, collect
+from variantgen.marking.scan.copies import ScannedAnswer
+from variantgen.marking.scan.joining import join
+from variantgen.marking.scan.pictures import is_picture
+from variantgen.studio.marking.folder import MarkingFolder
+from variantgen.studio.workspace import Workspace
+
+
+@dataclass(frozen=True)
+class MarkedClass:
+    """The marks of a class, with what they were made from; ``doubtful`` are readings that nobody has decided.
+
+    ``faults`` are files that could not be read, with the reason.
+    """
+
+    finished: Finished
+    read: ReadAnswers
+    policy: MarkingPolicy
+    marked: Marked
+    scanned: dict[Question, ScannedAnswer]
+    doubtful: dict[Question, ScannedAnswer]
+    faults: dict[str, str]
+
+    @property
+    def key(self) -> Key:
+        """What is right."""
+        return Key(self.finished.record, self.policy.tolerance)
+
+    def place(self, code: str) -> int:
+        """The place of a student by the code of the sheet. Raises KeyError."""
+        return {sheet.code: place for place, sheet in enumerate(self.finished.record.sheets)}[code]
+
+    def by_policy(self, policy: MarkingPolicy) -> Marked:
+        """The marks by other rules."""
+        return mark(self.finished, self.read, policy)
+
+
+class MarkedBuild:
+    """The marks of one build; the last ones are kept, scans are read once."""
+
+    def __init__(self, workspace: Workspace, folder: MarkingFolder) -> None:
+        self._workspace, self._folder = workspace, folder
+        self._lock = threading.Lock()
+        self._known: tuple[tuple[object, ...], MarkedClass] | None = None
+        self._restored: tuple[int, Finished] | None = None
+        self._scans: tuple[tuple[object, ...], Scans] | None = None
+
+    def current(self) -> MarkedClass:
+        """The marks of what is there now. Raises InputError where the build cannot be read."""
+        with self._lock:
+            version = self._folder.version()
+            if self._known is None or self._known[0] != version:
+                self._known = version, self._computed()
+            return self._known[1]
+
+    def _computed(self) -> MarkedClass:
+        finished = self._finished()
+        policy_file, faults = self._folder.policy(), dict[str, str]()
+        policy = finished.exam.marking
+        if policy_file is not None:
+            try:
+                policy = read_policy_file(policy_file, Key(finished.record).asked)
+            except InputError as error:
+                faults[policy_file.name] = _reason(error, policy_file)
+        read = ReadAnswers((), ())
+        scans: list[Path] = []
+        for path in self._folder.every():
+            if is_picture(path):
+                scans.append(path)
+                continue
+            try:
+                own = read_answers([path], FormWords.of(finished.exam))
+            except InputError as error:
+                faults[path.name] = _reason(error, path)
+                continue
+            read = ReadAnswers(
+                (*read.answers, *own.answers),
+                (*read.not_matched, *own.not_matched),
+                (*read.corrections, *own.corrections),
+            )
+        finished, read = as_drawn(finished, read)
+        scanned: dict[Question, ScannedAnswer] = {}
+        doubtful: dict[Question, ScannedAnswer] = {}
+        if scans:
+            try:
+                joined = join(finished, read, scans, policy, collected=self._collected(scans, finished, policy))
+            except VariantgenError as error:
+                faults[scans[0].name] = _reason(error, scans[0])
+            else:
+                read, scanned = joined.answers, dict(joined.scans.answers)
+                doubtful = {asked: one for asked, one in joined.scans.doubtful.items() if asked not in joined.typed}
+        return MarkedClass(finished, read, policy, mark(finished, read, policy), scanned, doubtful, faults)
+
+    def _finished(self) -> Finished:
+        """The build; it is restored once."""
+        changed = (self._folder.build.folder / "manifest.json").stat().st_mtime_ns
+        if self._restored is None or self._restored[0] != changed:
+            record = read_manifest(self._folder.build.folder)
+            self._restored = changed, restore(record, family_folders((self._workspace.folder,)))
+        return self._restored[1]
+
+    def _collected(self, scans: list[Path], finished: Finished, policy: MarkingPolicy) -> Scans:
+        """What the scans say; they are read once, whatever is typed."""
+        version = (policy.tolerance, *((path.name, path.stat().st_mtime_ns) for path in scans))
+        if self._scans is None or self._scans[0] != version:
+            self._scans = version, collect(scans, Key(finished.record, policy.tolerance))
+        return replace(self._scans[1], answers=dict(self._scans[1].answers))
+
+
+def _reason(error: VariantgenError, path: Path) -> str:
+    """Why a file cannot be read, without the place where it lies."""
+    return str(error).replace(f"{path}: ", "").replace(str(path), path.name)

@@ -1,0 +1,259 @@
+"""Mark: answers brought or typed, one student or one question at a time, doubtful scans, the rules, the class."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING
+
+from starlette.background import BackgroundTask
+from starlette.concurrency import run_in_threadpool
+from starlette.requests import Request
+from starlette.responses import FileResponse, HTMLResponse, JSONResponse, Response
+from starlette.routing import Route
+
+from variantgen.errors import InputError, Problem
+from variantgen.studio.builds import FinishedBuild
+from variantgen.studio.frame import command, language_of, part, render
+from variantgen.studio.pages.archive import run_command
+from variantgen.studio.preview import KINDS
+from variantgen.studio.requests import document_of, number_of, read_json, save_upload, studio_of, text_of
+from variantgen.studio.security import SCANS_BYTES
+from variantgen.studio.studio import UnknownKeyError
+from variantgen.studio.summary import built_words
+from variantgen.studio.words import page_words
+
+if TYPE_CHECKING:
+    from variantgen.studio.marking.folder import MarkingFolder
+    from variantgen.studio.marking.marked import MarkedBuild, MarkedClass
+
+_VIEWS = ("students", "questions", "class")
+
+
+async def mark(request: Request) -> Response:
+    """The page; what it shows comes in pieces."""
+    from variantgen.studio.marking.changes import command_of
+
+    studio, document = studio_of(request), document_of(request)
+    builds = await run_in_threadpool(studio.builds.finished, document.key)
+    chosen = builds.get(request.query_params.get("build", "")) or next(iter(builds.values()), None)
+    words = page_words(language_of(request))
+    listed = [
+        {"key": one.key, "name": built_words(words, one.day), "folder": one.folder.name} for one in builds.values()
+    ]
+    line = command_of(studio, studio.marking(chosen)[0]) if chosen else command("variantgen", "mark", "--help")
+    view = request.query_params.get("view", "")
+    view = view if view in _VIEWS else _VIEWS[0]
+    return render(request, "mark", studio, document, line, builds=listed, build=chosen and chosen.key, view=view)
+
+
+async def listing(request: Request) -> Response:
+    """The class or the questions in a list, the files, what is wrong with them."""
+    folder, marked = _marking(request)
+    found, language = await run_in_threadpool(marked.current), language_of(request)
+    return HTMLResponse(await run_in_threadpool(_listing, request, folder, found, language))
+
+
+async def shown(request: Request) -> Response:
+    """One student, one question or the class."""
+    folder, marked = _marking(request)
+    found, language = await run_in_threadpool(marked.current), language_of(request)
+    return HTMLResponse(await run_in_threadpool(_shown, request, folder, found, language))
+
+
+async def find(request: Request) -> Response:
+    """The sheet that is meant by a code that was scanned or typed, a name or an id."""
+    from variantgen.finished.find import find_among
+
+    _, marked = _marking(request)
+    found = await run_in_threadpool(marked.current)
+    record = found.finished.record
+    place = find_among(record.sheets, record.exam_id, request.query_params.get("who", "")[:200])
+    return JSONResponse({"code": record.sheets[place].code})
+
+
+async def bring(request: Request) -> Response:
+    """A table or a scan; its name is shown and names nothing on disk."""
+    from variantgen.studio.marking.changes import command_of, take
+
+    folder, marked = _marking(request)
+    name = request.query_params.get("name", "")[:200]
+    incoming = studio_of(request).workspace.state("marks", "incoming")
+    await save_upload(request, incoming, SCANS_BYTES)
+    await run_in_threadpool(take, folder, marked, incoming, name)
+    return JSONResponse({"command": command_of(studio_of(request), folder)})
+
+
+async def drop(request: Request) -> Response:
+    """Take a file that was brought away."""
+    from variantgen.studio.marking.changes import command_of
+
+    data, (folder, _) = await read_json(request), _marking(request)
+    await run_in_threadpool(folder.remove, text_of(data, "file"))
+    return JSONResponse({"command": command_of(studio_of(request), folder)})
+
+
+async def say(request: Request) -> Response:
+    """An answer that was typed, or the decision on a doubtful reading; its verdict comes back at once."""
+    from variantgen.studio.marking.changes import said
+
+    data, (folder, marked) = await read_json(request), _marking(request)
+    return JSONResponse(await run_in_threadpool(said, folder, marked, data))
+
+
+async def policy(request: Request) -> Response:
+    """What other rules would change; they are written if it is wished."""
+    from variantgen.studio.marking.changes import command_of, with_policy
+
+    data, (folder, marked) = await read_json(request), _marking(request)
+    language = language_of(request)
+    found = await run_in_threadpool(with_policy, folder, marked, data, language)
+    return JSONResponse({**found, "command": command_of(studio_of(request), folder)})
+
+
+async def write(request: Request) -> Response:
+    """Write the marks by the command that the page shows."""
+    from variantgen.studio.marking.changes import words_of_command
+
+    await read_json(request)
+    folder, _ = _marking(request)
+    words = words_of_command(studio_of(request), folder)
+    code, _, said = await run_command(*words)
+    if code:
+        raise InputError(Problem(said.decode("utf-8", "replace").strip()[-600:]))
+    return JSONResponse({"files": [path.name for path in folder.result()]})
+
+
+async def result(request: Request) -> Response:
+    """One of the files that the command has written, or all of them."""
+    from variantgen.studio.marking.changes import pack
+
+    folder, _ = _marking(request)
+    files = folder.result()
+    if request.path_params["number"] == "all":
+        packed = studio_of(request).workspace.state("marks", "all.zip")
+        await run_in_threadpool(pack, folder, packed)
+        return FileResponse(
+            packed, filename=f"{folder.build.folder.name}-marks.zip", background=BackgroundTask(packed.unlink)
+        )
+    number = number_of(request.path_params["number"], "file", 0, len(files) - 1)
+    return FileResponse(files[number], filename=f"{folder.build.folder.name}-{files[number].name}")
+
+
+async def sheet(request: Request) -> Response:
+    """The pages of the sheet of a student, or of its solution."""
+    _, marked = _marking(request)
+    studio, kind = studio_of(request), request.query_params.get("kind", "sheet")
+    if kind not in KINDS:
+        raise InputError(Problem("unknown kind", key="kind", value=kind[:20]))
+    found = await run_in_threadpool(marked.current)
+    place = _place(found, request)
+    name, pages = await studio.typeset(lambda: studio.previews.finished_pages(found.finished, place, kind))
+    return JSONResponse({"name": name, "pages": pages})
+
+
+async def picture(request: Request) -> Response:
+    """The picture of an answer on a scan."""
+    _, marked = _marking(request)
+    found = await run_in_threadpool(marked.current)
+    number = number_of(request.query_params.get("problem"), "problem", 1, 999)
+    scan = found.scanned.get((_place(found, request), number, request.query_params.get("quantity", "")))
+    if scan is None or not scan.picture:
+        raise UnknownKeyError("picture")
+    return Response(scan.picture, media_type="image/png")
+
+
+def _build(request: Request) -> FinishedBuild:
+    """The build that an address names. Raises UnknownKeyError."""
+    document = document_of(request)
+    key = request.query_params.get("build", "")
+    found = studio_of(request).builds.finished(document.key).get(key)
+    if found is None:
+        raise UnknownKeyError(key[:80])
+    return found
+
+
+def _marking(request: Request) -> tuple[MarkingFolder, MarkedBuild]:
+    return studio_of(request).marking(_build(request))
+
+
+def _place(found: MarkedClass, request: Request) -> int:
+    """The place of the student whom an address names. Raises UnknownKeyError."""
+    code = request.query_params.get("code", "")
+    try:
+        return found.place(code)
+    except KeyError:
+        raise UnknownKeyError(code[:40]) from None
+
+
+def _listing(request: Request, folder: MarkingFolder, found: MarkedClass, language: str) -> str:
+    from variantgen.studio.marking.views import Words, questions, queue
+
+    words = Words(found, language)
+    students = queue(found, words)
+    names = folder.names()
+    files = [
+        {"file": path.name, "name": names.get(path.name, path.name), "fault": found.faults.get(path.name, "")}
+        for path in folder.brought()
+    ]
+    handed_in = sum(bool(one["handed_in"]) for one in students)
+    _note(request, folder, {"handed_in": handed_in, "students": len(students)})
+    context = {
+        "students": students,
+        "questions": questions(found),
+        "files": files,
+        "fault": found.faults.get("policy.toml", ""),
+        "left": len(found.marked.not_matched),
+        "doubts": len(found.doubtful),
+        "handed_in": handed_in,
+        "written": [path.name for path in folder.result()],
+        "build": folder.build.key,
+        "exam": request.path_params["exam"],
+    }
+    return part(request, "mark_list", "mark", **context)
+
+
+def _note(request: Request, folder: MarkingFolder, state: dict[str, int]) -> None:
+    """Note how far the marking is, for the head of all pages."""
+    place = studio_of(request).workspace.state("marks", f"{folder.build.key}-state.json")
+    place.write_text(json.dumps(state), "utf-8")
+
+
+def _shown(request: Request, folder: MarkingFolder, found: MarkedClass, language: str) -> str:
+    from variantgen.studio.marking import views
+
+    words, query = views.Words(found, language), request.query_params
+    common = {
+        "build": folder.build.key,
+        "exam": request.path_params["exam"],
+        "marking": words.marking,
+        "review": words.language.words("review"),
+    }
+    view = query.get("view", "")
+    if view == "class":
+        return part(request, "mark_class", "mark", **common, **views.class_view(found, words))
+    if view == "questions":
+        number, name = number_of(query.get("problem"), "problem", 1, 999), query.get("quantity", "")[:80]
+        rows = views.question(found, number, name, words)
+        if not rows:
+            raise UnknownKeyError(f"{number}.{name}")
+        return part(request, "mark_question", "mark", **common, rows=rows, problem=views.class_in(found, number, words))
+    place = _place(found, request)
+    one = views.student(found, found.marked.totals[place].code, words)
+    problems = {own["number"]: views.class_in(found, own["number"], words) for own in one["problems"]}
+    return part(request, "mark_student", "mark", **common, student=one, problems=problems)
+
+
+ROUTES = [
+    Route("/{exam}/mark", mark),
+    Route("/{exam}/mark/list", listing),
+    Route("/{exam}/mark/shown", shown),
+    Route("/{exam}/mark/find", find),
+    Route("/{exam}/mark/answers", bring, methods=["PUT"]),
+    Route("/{exam}/mark/drop", drop, methods=["POST"]),
+    Route("/{exam}/mark/say", say, methods=["POST"]),
+    Route("/{exam}/mark/policy", policy, methods=["POST"]),
+    Route("/{exam}/mark/write", write, methods=["POST"]),
+    Route("/{exam}/mark/result/{number}", result),
+    Route("/{exam}/mark/sheet", sheet),
+    Route("/{exam}/mark/picture", picture),
+]
