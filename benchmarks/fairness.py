@@ -105,6 +105,8 @@ HEAD = """\
 
 def spread(family: Family, sampler: FamilySampler, count: int) -> Spread:
     """The spread of so many variants, by their written solutions for everything that is asked."""
+    for form in family.forms.values():
+        form.remembered.clear()  # everything that a build finds out of a form is in its time
     start = time.process_time()
     variants = sampler.after([("fairness", i) for i in range(count)], [0] * count)
     spent = 1e3 * (time.process_time() - start) / count
@@ -131,13 +133,27 @@ def rows(count: int, most: int | None) -> Iterator[Row]:
         yield Row(f"{name} {form_name}".strip(), spread(family, before, count), spread(family, after, count), band)
 
 
+def _exams(spreads: Sequence[Spread]) -> Iterator[list[Spread]]:
+    """Exams of five forms each."""
+    for first in range(len(spreads)):
+        yield [spreads[(first + 15 * k) % len(spreads)] for k in range(5)]
+
+
 def sheet_ratio(spreads: Sequence[Spread], count: int) -> tuple[float, float]:
     """Of exams of five forms each, student by student: median and largest max/min of the operations of a sheet."""
     found = []
-    for first in range(len(spreads)):
-        chosen = [spreads[(first + 15 * k) % len(spreads)] for k in range(5)]
+    for chosen in _exams(spreads):
         sums = [sum(own.operations[i] for own in chosen) for i in range(count)]
         found.append(max(sums) / min(sums))
+    return statistics.median(found), max(found)
+
+
+def sheet_negatives(spreads: Sequence[Spread], count: int) -> tuple[float, float]:
+    """Of the same exams: by how many negative numbers sheets differ, median and most."""
+    found = []
+    for chosen in _exams(spreads):
+        sums = [sum(own.works[i].negatives for own in chosen) for i in range(count)]
+        found.append(max(sums) - min(sums))
     return statistics.median(found), max(found)
 
 
@@ -155,7 +171,7 @@ def main() -> None:
         "catalogue, everything asked, left to chance and with `fair = true`. Operations, negative numbers and obtuse",
         "angles are counted in the written solutions, calculations are operations and functions (docs/fairness.md).",
         "Columns of negatives and obtuse angles: by how much the most of a variant differ from the fewest.",
-        "The time of a fair draw includes the sample of the form, once for all.",
+        "The time of a draw includes all that is found out of a form once for its variants.",
         "",
         "| of all forms | left to chance | fair |",
         "|---|---|---|",
@@ -171,6 +187,8 @@ def main() -> None:
         ("CPU ms a draw, mean of forms", lambda s: statistics.mean(x.milliseconds for x in s)),
         ("sheets of five forms, operations max/min, median", lambda s: sheet_ratio(s, chosen.variants)[0]),
         ("sheets of five forms, operations max/min, worst", lambda s: sheet_ratio(s, chosen.variants)[1]),
+        ("sheets of five forms, negative numbers differ by, median", lambda s: sheet_negatives(s, chosen.variants)[0]),
+        ("sheets of five forms, negative numbers differ by, most", lambda s: sheet_negatives(s, chosen.variants)[1]),
     ):
         lines.append(f"| {title} | {number(before):.3g} | {number(after):.3g} |")
     lines += ["", HEAD, *(row.line() for row in found)]

@@ -4,7 +4,9 @@
 
 For every family problems of 200 students are drawn, in equal parts of its forms. Each answer is got wrong by each
 cause, as a student would write it, with four significant digits, where that is another number than by another cause;
-the whole sheet of the next student is solved in place of the own; each answer is gone on with after a slip of 30 % in
+the whole sheet of the next student is solved in place of the own (not counted where a third one has the same numbers);
+mistakes are worked out anew by equations of the benchmark's own (:mod:`benchmarks.dropped_terms`, a fifth of the
+students); each answer is gone on with after a slip of 30 % in
 an earlier one, with the steps of the solution (``granted``); and random numbers from a tenth to ten times the right
 ones are marked (``by chance``). Prints a Markdown table and, run on the whole catalogue, writes it to
 ``benchmarks/marking.md``. Nothing here is a time.
@@ -15,12 +17,13 @@ from __future__ import annotations
 import argparse
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from decimal import Decimal
 from itertools import islice
 from pathlib import Path
 
 import numpy as np
 
+from benchmarks.dropped_terms import planted_anew
+from benchmarks.planted_answers import planted, spelled, width_of, written
 from variantgen.exam.sheets import Answer, answer_variants
 from variantgen.exam.tolerance import Tolerance
 from variantgen.families.asking import read_ask
@@ -30,8 +33,8 @@ from variantgen.families.restrict import restrict
 from variantgen.marking.diagnosis.causes import Comparisons, cause_of
 from variantgen.marking.diagnosis.follow_through import FollowThrough
 from variantgen.marking.diagnosis.neighbours import Neighbours
-from variantgen.marking.diagnosis.plausible_mistakes import OfProblem, of_batch
-from variantgen.marking.key import is_right, scale
+from variantgen.marking.diagnosis.plausible_mistakes import of_batch
+from variantgen.marking.key import is_right
 from variantgen.marking.marks import Verdict, verdict_of
 from variantgen.methods.hand.following import FollowingSteps
 from variantgen.variants.draw import draw
@@ -40,71 +43,10 @@ from variantgen.variants.variant import Variant
 HERE = Path(__file__).resolve()
 _LAST = ("rounding", "other_answer")  # where both signs of a result are other causes
 _SLIP = 1.3
-_UNITS = {(1, 0): (0.01,), (1, -1): (0.01, 3.6), (1, -2): (0.01,), (0, -1): (57.29578, 9.549297), (0, -2): (57.29578,)}
 _ALIKE = 1e-3  # relative difference of results that four digits do not tell apart
-# Spellings of units, and the powers of ten by which numbers in them are other ones.
-_SPELLINGS = {
-    "cm": (("cm", 0), ("см", 0), ("m", -2), ("мм", 1)),
-    "m": (("m", 0), ("cm", 2), ("мм", 3)),
-    "cm/s": (("cm/s", 0), ("см/с", 0), ("m/s", -2), ("м·с⁻¹", -2), ("mm/s", 1)),
-    "m/s": (("m/s", 0), ("м/сек", 0), ("cm/s", 2), ("мм / с", 3)),
-    "cm/s^2": (("cm/s^2", 0), ("см/с²", 0), ("m/s2", -2), ("m s^-2", -2)),
-    "m/s^2": (("m/s^2", 0), ("м/с²", 0), ("cm/s2", 2)),
-    "rad/s": (("rad/s", 0), ("рад/с", 0), ("1/s", 0), ("с^-1", 0)),
-    "rad/s^2": (("rad/s^2", 0), ("рад/с²", 0), ("1/s^2", 0), ("с⁻²", 0)),
-    "deg": (("deg", 0), ("°", 0), ("град", 0)),
-}
 _IN_ALL_WAYS = 10  # of so many students the answers of one are written in all ways
-_GROUP = 3  # digits of a group of thousands
 _LEAST = 95.0  # per cent that are to be named
 _CHANGED = 0.05  # what follows differs at least so much from what is right
-
-
-def written(value: float) -> float:
-    """A number as a student writes it."""
-    return float(f"{value:.4g}")
-
-
-def width_of(answer: Answer) -> float:
-    """How far a number may be from the right one, in the unit of the answer."""
-    return answer.tolerance * (1.0 if answer.quantity.is_angle else abs(answer.value) / scale(answer))
-
-
-def planted(answer: Answer, name: str, results: OfProblem, siblings: Sequence[Answer]) -> Iterator[tuple[str, float]]:
-    """Wrong answers by their causes, those of mistakes with the name of the mistake."""
-    yield "sign", -answer.value
-    if not answer.quantity.is_angle:
-        yield "power_of_ten", 10.0 * answer.value
-        for factor in _UNITS.get(answer.unit.dimension, ()):
-            yield "unit", factor * answer.value
-    mistakes, parts = results
-    for mistake, value in mistakes[name].items():
-        yield f"mistake: {mistake}", value
-    for part, value in parts[name].items():
-        yield f"component: {part}", value
-    for other in siblings:
-        if other.unit.dimension == answer.unit.dimension and other.quantity != answer.quantity:
-            yield "other_answer", answer.unit.from_si(other.value * other.unit.size)
-    yield "rounding", answer.value + 2.0 * width_of(answer)
-
-
-def spelled(answer: Answer) -> Iterator[str]:
-    """A right answer and both ends of its tolerance, in many spellings and in other units by exact powers of ten."""
-    right, tolerance = Decimal(repr(answer.value)), Decimal(repr(answer.tolerance))
-    yield f"{written(answer.value)!r}"
-    for value in (right, right - tolerance, right + tolerance):
-        plain = f"{value:f}"
-        yield plain
-        yield plain.replace(".", ",")
-        yield f" \N{MINUS SIGN}{plain[1:]}" if value < 0 else f"+{plain}"
-        yield f"{value.scaleb(2):f}*10^-2"
-        yield f"{value.scaleb(-3):f}e3"
-        whole, dot, rest = plain.lstrip("-").partition(".")
-        if len(whole) > _GROUP:
-            yield f"{'-' * (value < 0)}{whole[:-_GROUP]} {whole[-_GROUP:]}{dot and ','}{rest}"
-        for name, power in _SPELLINGS.get(answer.unit.name, ()):
-            yield f"{value.scaleb(power):f} {name}"
-            yield f"{value.scaleb(power):f}".replace(".", ",") + f" {name}"
 
 
 def named(variants: Sequence[Variant], answers: Sequence[Sequence[Answer]], counts: Counter[str]) -> None:
@@ -152,9 +94,44 @@ def neighboured(answers: Sequence[Sequence[Answer]], counts: Counter[str]) -> No
             for answer, copied in zip(own, answers[other], strict=True)
             if copied.value and answer.quantity.component != "sense" and not is_right(answer, written(copied.value))
         ]
-        if len({round(abs(value), 9) for _, value in wrong}) > 1:
-            counts["neighbour"] += 1
-            counts["neighbour, named"] += near.of(place, wrong) == other
+        if len({round(abs(value), 9) for _, value in wrong}) < 2:
+            continue
+        if any(
+            all(abs(theirs.value - value) <= theirs.tolerance for theirs, (_, value) in zip(sheet, wrong, strict=True))
+            for k, sheet in enumerate(_chosen(answers, [answer for answer, _ in wrong]))
+            if k not in (place, other)
+        ):
+            counts["neighbour alike"] += 1  # the numbers are those of a third student too: nobody can tell
+            continue
+        counts["neighbour"] += 1
+        counts["neighbour, named"] += near.of(place, wrong) == other
+
+
+def _chosen(answers: Sequence[Sequence[Answer]], asked: Sequence[Answer]) -> Iterator[list[Answer]]:
+    """The answers of all students to what is asked in some of one sheet."""
+    names = [answer.quantity for answer in asked]
+    for sheet in answers:
+        own = {answer.quantity: answer for answer in sheet}
+        yield [own[name] for name in names]
+
+
+def planted_by_equations(
+    variants: Sequence[Variant], answers: Sequence[Sequence[Answer]], counts: Counter[str]
+) -> None:
+    """Count how many mistakes are named whose results the benchmark has worked out by equations of its own."""
+    asked = [answer.quantity for answer in answers[0]]
+    for variant, own, (mistakes, parts) in zip(variants, answers, of_batch(variants, asked), strict=True):
+        siblings = {f"1.{answer.quantity.name}": answer for answer in own}
+        for _, place, value in planted_anew(variant, own):
+            answer, name = own[place], own[place].quantity.name
+            if not np.isfinite(value) or not answer.value or answer.quantity.component == "sense":
+                continue
+            if abs(value - answer.value) <= 1.1 * width_of(answer) or is_right(answer, written(value)):
+                continue
+            others = {key: other for key, other in siblings.items() if other is not answer}
+            found = cause_of(written(value), answer, Comparisons(others, parts[name], mistakes[name]))
+            counts["anew"] += 1
+            counts["anew, named"] += found.name == "mistake"
 
 
 def by_chance(variants: Sequence[Variant], answers: Sequence[Sequence[Answer]], counts: Counter[str]) -> None:
@@ -196,8 +173,8 @@ def table(families: Sequence[str], students: int) -> list[str]:
     rows = [
         "| form | "
         + " | ".join(f"{cause} named, %" for cause in causes)
-        + " | mistake exactly, % | accused | granted | by chance |",
-        "|---" * (len(causes) + 5) + "|",
+        + " | mistake exactly, % | by equations named, % | accused | granted | by chance |",
+        "|---" * (len(causes) + 6) + "|",
     ]
     total: Counter[str] = Counter()
     few: list[str] = []
@@ -215,6 +192,7 @@ def table(families: Sequence[str], students: int) -> list[str]:
             neighboured(answers, counts)
             by_chance(variants[: max(1, count // 4)], answers[: max(1, count // 4)], counts)
             followed(variants[: max(1, count // 5)], answers[: max(1, count // 5)], counts)
+            planted_by_equations(variants[: max(1, count // 5)], answers[: max(1, count // 5)], counts)
             total.update(counts)
             few += [
                 f"{cause} of {f'{name} {form}'.strip()} ({100 * counts[f'{cause}, named'] / counts[cause]:.1f} %)"
@@ -224,18 +202,23 @@ def table(families: Sequence[str], students: int) -> list[str]:
             alone += [] if counts["follow"] else [f"{name} {form}".strip()]
             rows.append(row(f"{name} {form}".strip(), counts, causes))
             assert len(asked) == len(answers[0])
-    return [*rows, row("all", total, causes), "", *unshown(few, alone)]
+    return [*rows, row("all", total, causes), "", *unshown(few, alone, total["neighbour alike"])]
 
 
-def unshown(few: Sequence[str], alone: Sequence[str]) -> list[str]:
+def unshown(few: Sequence[str], alone: Sequence[str], alike: int) -> list[str]:
     """What the table does not show, as a list."""
     return [
         "What this does not show:",
         "",
-        "- Mistakes are planted from the same table that is searched for the cause. The figures say that they are told"
-        " apart and not hidden by rounding, and nothing of mistakes that are not in the table.",
+        "- Mistakes of the column *mistake* are planted from the same table that is searched for the cause: they are"
+        " told apart and not hidden by rounding. Those of the column *by equations* are worked out by the benchmark"
+        " (`benchmarks/dropped_terms.py`), which has no part of that table: terms of accelerations dropped or turned in"
+        " mechanisms of pivots, guides and slots, angles in degrees for radians, the other branch. Neither says"
+        " anything of mistakes that nobody has thought of.",
         "- Chains are planted by the steps of the solution that follow-through goes again; only its second way is"
         " independent of them.",
+        "- Copied sheets that are not counted, as their numbers are within tolerance those of a third student too:"
+        f" {alike}.",
         f"- Under {_LEAST:g} % named: {', '.join(few) or 'nothing'}.",
         f"- No answer follows from another, so that follow-through is not tried: {', '.join(alone) or 'none'}.",
         "- Accused are right answers; for a tenth of the students they and both ends of their tolerances are written in"
@@ -247,6 +230,7 @@ def row(name: str, counts: Counter[str], causes: Sequence[str]) -> str:
     """One row."""
     shares = [share(counts[f"{cause}, named"], counts[cause]) for cause in causes]
     shares.append(share(counts["mistake, exactly"], counts["mistake"]))
+    shares.append(share(counts["anew, named"], counts["anew"]))
     return (
         f"| {name} | "
         + " | ".join(

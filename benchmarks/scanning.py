@@ -61,8 +61,8 @@ ask = ["v_O", "omega_spool", "v_A", "a_O", "epsilon_spool"]
 """
 _BASES = 12
 _HIDDEN = "a corner covered"
-_LIMITS = """The reader was tuned on other seeds (1, 2, 11, 12, 2026). A column for review is a doubtful one in an
-answer that a person looks at; such an answer without doubtful columns counts as one. Pages with a
+_LIMITS = """The reader was tuned on other seeds (1, 2, 11, 12, 2026, 90417). A column for review is a doubtful one in
+an answer that a person looks at; such an answer without doubtful columns counts as one. Pages with a
 covered corner must not be read, and what is on them is not counted. Marks and scanners are simulated:
 two thirds of the answers are right; of the bubbles beside those that are meant 0.12 % are filled in and
 taken back; a page has three stray strokes on average. The table shows what rules and thresholds do, not

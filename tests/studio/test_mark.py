@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import expect
 
-from tests.marking.test_scan import Built, build, filled, written
+from tests.marking.test_scan import STUDENTS, Built, build, filled, written
 from tests.studio.asking import PORT, Answer, Asking
 from tests.studio.conftest import TOKEN, Visit
 from tests.studio.test_pages import barriers
@@ -142,6 +142,7 @@ def test_a_class_of_108_goes_the_whole_way(visit: Callable[..., Visit], tmp_path
         page.keyboard.type(f"{answer.value:.5g}")
         page.keyboard.press("Enter")
     page.get_by_text("Handed in: 108 of 108").wait_for()
+    assert barriers(page) == []
     expect(page.locator("[data-under=mark]")).to_have_text("108 of 108")
     # Other rules, with their effect before they are used.
     page.get_by_role("button", name="Class and rules").click()
@@ -264,3 +265,32 @@ def test_markings_follow_no_links(asking: Asking, course: Path) -> None:
     (course / "marks").symlink_to(outside)
     assert bring(asking, b"student,1.v_B\nAnn Lee,5\n").status == 400
     assert list(outside.iterdir()) == []
+
+
+def test_a_build_is_checked_given_another_key_and_its_sheet_found(
+    asking: Asking, course: Path, scan_exam: Built
+) -> None:
+    assert asking.post(f"/builds/{BUILD}/verify", {}).json() == {"right": True, "faults": [], "answers": 15}
+    sheet = asking.get(f"/builds/{BUILD}/search?who=young").json()
+    assert sheet["name"] == "Cy Young" and sheet["code"] == scan_exam.code(2)
+    assert asking.get(f"/builds/{BUILD}/sheet.pdf?who=young").content[:5] == b"%PDF-"
+    built = course / "builds" / BUILD
+    sheets, manifest = (built / "sheets.pdf").read_bytes(), (built / "manifest.json").read_bytes()
+    before = read_manifest(built)
+    for wrong in ("", "0", "x", "-1", "200", "1e9", "NaN"):
+        assert asking.post(f"/builds/{BUILD}/rekey", {"tolerance": wrong}).status == 400, wrong
+    assert (built / "manifest.json").read_bytes() == manifest
+    said = asking.post(f"/builds/{BUILD}/rekey", {"tolerance": "5 %"}).json()
+    assert said["command"] == f"variantgen rekey {built} --tolerance 0.05"
+    after = read_manifest(built)
+    assert (built / "sheets.pdf").read_bytes() == sheets
+    pairs = zip(before.sheets[0].problems[0].answers, after.sheets[0].problems[0].answers, strict=True)
+    assert all(new.tolerance > old.tolerance and new.value == old.value for old, new in pairs)
+
+
+def test_the_exam_of_next_year_is_compared_with_builds(asking: Asking, course: Path) -> None:
+    """The same series for the same class gives the variants that were handed out, another one gives none of them."""
+    (course / "roster.csv").write_text(STUDENTS)
+    assert asking.get("/exam/overlap?seed=4").json() == {"variants": 6, "same": 6, "builds": 1}
+    assert asking.get("/exam/overlap?seed=2027").json() == {"variants": 6, "same": 0, "builds": 1}
+    assert asking.get("/exam/overlap?seed=").status == 400

@@ -12,6 +12,7 @@ from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet, variant_codes
 from variantgen.variants.draw import check_room
 from variantgen.variants.similarity import Traits
+from variantgen.variants.variant import Variant
 
 
 def one_sheet(exam: Exam, students: Sequence[Student], place: int = 0) -> Sheet:
@@ -47,6 +48,10 @@ class DrawnClass:
             self._changed = next_draws_of(requests, resolve_duplicates(drawer, requests, first, more))
         except InputError as error:
             raise error.located(str(exam.path)) from None
+
+    def variants(self) -> list[Variant]:
+        """The variants of the class, student by student. Raises InputError."""
+        return self._drawer.variants([self._changed.get(i, request) for i, request in enumerate(self._requests)])
 
     def sheet(self, place: int) -> Sheet:
         """The sheet of the student at a place in the class. Raises InputError."""

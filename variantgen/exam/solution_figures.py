@@ -33,8 +33,9 @@ _MOST = 3  # figures in a row
 # mm per unit: of the statement's figure usually, and beside others at least; of the others at least, so that an index
 # has 7 pt, and at most, so that no letter is much larger than the text.
 _STATEMENT_UNIT, _SMALLEST, _UNIT, _LARGEST = 0.62, 0.5, 0.83, 1.0
-_WIDE, _HIGH = 90.0, 72.0  # mm: half the width of the text, which figures fill if they become no higher than this
+_WIDE, _HIGH = 86.0, 92.0  # mm: a column of the text, which figures fill if they become no higher than this
 _PLAN_UNIT = MILLIMETRES  # mm per unit of a plan: lengths that the text tells are measured in it
+_COLUMN = 87.0  # mm: no figure is wider
 _POINTS = 72 / 25.4  # in a millimetre
 _WIDTH, _GUTTER = 180.0, 4.0  # mm
 
@@ -176,7 +177,8 @@ class SolutionFigures:
         if name.endswith("_plan"):
             return _PLAN_UNIT
         drawing = self._drawn[name]
-        return round(max(_UNIT, min(_LARGEST, _WIDE / drawing.width, _HIGH / drawing.height)), 3)
+        usual = max(_UNIT, min(_LARGEST, _WIDE / drawing.width, _HIGH / drawing.height))
+        return round(min(usual, _COLUMN / drawing.width), 3)
 
 
 def solution_figure_faults(

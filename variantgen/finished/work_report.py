@@ -23,16 +23,19 @@ class WorkReport:
     """The variants by problem, family and form: how many take so many calculations, operations, ...
 
     ``sheets`` has the calculations of whole sheets, of those on which all problems have their work recorded.
+    ``configurations`` counts by problem, form and group the words of what is seen in the figure: a side, a sense.
     """
 
     forms: Mapping[tuple[int, str], Mapping[str, Counter[int]]] = field(default_factory=dict)
     sheets: Counter[int] = field(default_factory=Counter)
+    configurations: Mapping[tuple[int, str, str], Mapping[str, Counter[str]]] = field(default_factory=dict)
 
 
 def work_report(record: Manifest) -> WorkReport:
     """The report of a manifest; without forms where the exam was built without looking at work."""
     forms: dict[tuple[int, str], dict[str, Counter[int]]] = {}
     sheets = Counter[int]()
+    configurations: dict[tuple[int, str, str], dict[str, Counter[str]]] = {}
     for sheet in record.sheets:
         works = [(problem, problem.work) for problem in sheet.problems]
         for problem, work in works:
@@ -41,9 +44,13 @@ def work_report(record: Manifest) -> WorkReport:
                 own = forms.setdefault(key, {part: Counter() for part in _PARTS})
                 for part in _PARTS:
                     own[part][getattr(work, part)] += 1
+            for name, (word, unit) in problem.parameters.items():
+                if not unit:
+                    place = problem.number, problem.problem_type, sheet.student.group
+                    configurations.setdefault(place, {}).setdefault(name, Counter())[word] += 1
         if works and all(work is not None for _, work in works):
             sheets[_total(work for _, work in works)] += 1
-    return WorkReport(dict(sorted(forms.items())), sheets)
+    return WorkReport(dict(sorted(forms.items())), sheets, dict(sorted(configurations.items())))
 
 
 def _total(works: Iterable[Work | None]) -> int:
@@ -54,6 +61,14 @@ def spread(found: Counter[int]) -> str:
     """The fewest and the most: ``77-80``, or the one number."""
     least, most = min(found), max(found)
     return str(least) if least == most else f"{least}\N{EN DASH}{most}"
+
+
+def counted(found: Mapping[str, Counter[str]]) -> str:
+    """How often each word was drawn: ``side: left 9, right 11; sense: ...``."""
+    return "; ".join(
+        f"{name}: " + ", ".join(f"{word} {count}" for word, count in sorted(words.items()))
+        for name, words in sorted(found.items())
+    )
 
 
 def ratio(found: Counter[int]) -> float:
@@ -84,6 +99,7 @@ def write_report(path: Path, report: WorkReport, title: str, course: str, langua
         words=language.words("fairness"),
         key=language.words("key"),
         rows=rows,
+        configurations=[(*place, counted(own)) for place, own in report.configurations.items()],
         sheets={
             "spread": spread(sheets),
             "ratio": _decimal(ratio(sheets), language),

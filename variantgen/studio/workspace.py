@@ -71,6 +71,10 @@ class Workspace:
                 found[path.name] = error.problems[0].message
         return found
 
+    def families_option(self) -> list[str]:
+        """What tells commands on builds where the families of the folder are; nothing where it has none."""
+        return ["--families", str(self.folder)] if any(self.folder.glob("*/family.toml")) else []
+
     def state(self, *parts: str) -> Path:
         """A place for what the studio itself keeps; its folder is made. Parts are keys and names of the program.
 

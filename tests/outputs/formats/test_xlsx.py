@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import json
 import os
 import re
 import subprocess
@@ -128,7 +129,7 @@ def test_a_direction_near_180_degrees_has_two_intervals(tmp_path: Path) -> None:
     heads = [cell.value for cell in openpyxl.load_workbook(out / KEY).worksheets[1][2]]
     value_column = heads.index("value")
     for sheet, first, value in zip(
-        openpyxl.load_workbook(out / KEY).worksheets, (2, 3), (7, value_column), strict=True
+        openpyxl.load_workbook(out / KEY).worksheets[:2], (2, 3), (7, value_column), strict=True
     ):
         rows = list(table(sheet, first))
         twice = 0
@@ -151,14 +152,33 @@ def test_each_problem_has_sheets_with_a_row_for_each_student(built: Path) -> Non
         known[right.code, right.problem].append(float(right.value))
     workbook = openpyxl.load_workbook(built / KEY)
     found = {}
-    for sheet in workbook.worksheets[1:]:
+    for sheet in workbook.worksheets[1:-1]:
         number = int(sheet.title.split(".")[0])
         heads = [cell.value for cell in sheet[2]]
         values = [i for i, head in enumerate(heads) if head in ("value", "значение")]
         for row in table(sheet, 3):
             found[row[0], number] = [row[i] for i in values]
     assert found == known
-    assert sorted({sheet.title.split(".")[0] for sheet in workbook.worksheets[1:]}) == ["1", "2", "3"]
+    assert sorted({sheet.title.split(".")[0] for sheet in workbook.worksheets[1:-1]}) == ["1", "2", "3"]
+
+
+def test_the_last_sheet_tells_the_work_of_everyone(built: Path) -> None:
+    """As the manifest has it; above the columns of a problem stand its fewest and most calculations."""
+    sheet = openpyxl.load_workbook(built / KEY).worksheets[-1]
+    assert sheet.title in ("Work", "Трудоёмкость")
+    recorded = {}
+    for student in json.loads((built / "manifest.json").read_text("utf-8"))["students"]:
+        works = [problem["work"] for problem in student["problems"]]
+        sizes = [(work["operations"] + work["functions"], work["negatives"], work["obtuse"]) for work in works]
+        recorded[student["code"]] = [*(number for own in sizes for number in own), sum(size for size, _, _ in sizes)]
+    assert {row[0]: row[4:] for row in table(sheet, 3)} == recorded
+    last = [row[6] for row in recorded.values()]
+    assert sheet["K1"].value.split(": ")[1].split("–") == [str(n) for n in sorted({min(last), max(last)})]
+
+
+def test_without_fair_variants_there_is_no_sheet_of_work(tmp_path: Path) -> None:
+    exam = "title = 'T'\nlanguage = 'en'\nfair = false\nformats = ['xlsx']\n[[problem]]\nfamily = 'spool'\n"
+    assert "Work" not in openpyxl.load_workbook(build(tmp_path, exam) / KEY).sheetnames
 
 
 def shown_digits(value: float, form: str) -> int:
@@ -453,7 +473,7 @@ def test_titles_of_sheets(tmp_path: Path) -> None:
         tmp_path, exam, ROSTER + "".join(f"n{i};N;\n" for i in range(12)), "--families", str(tmp_path / "families")
     )
     names = openpyxl.load_workbook(out / KEY).sheetnames
-    assert len(names) == len({name.casefold() for name in names}) == 5
+    assert len(names) == len({name.casefold() for name in names}) == 6
     assert all(len(name) <= 31 and not set(name) & set("[]:*?/\\") for name in names)
     assert names[0] == "Key"
     assert any(name.startswith("1. =") for name in names)

@@ -13,7 +13,8 @@ from variantgen.errors import InputError, Problem
 HELP = "how equal the variants of a finished exam are in work"
 DESCRIPTION = (
     "Say how much work the variants of a finished exam take, by problem and form and by sheet: calculations\n"
-    "(operations and functions), negative numbers, obtuse angles. With --out as a page with plots."
+    "(operations and functions), negative numbers, obtuse angles; and how often each configuration was drawn\n"
+    "in each group. With --out as a page with plots."
 )
 
 
@@ -29,7 +30,7 @@ def run(arguments: argparse.Namespace) -> int:
     from variantgen.exam.manifest import read_manifest
     from variantgen.families.folders import family_folders
     from variantgen.finished.restore import restore
-    from variantgen.finished.work_report import ratio, spread, work_report, write_report
+    from variantgen.finished.work_report import counted, ratio, spread, work_report, write_report
 
     record = read_manifest(arguments.folder)
     report = work_report(record)
@@ -46,6 +47,12 @@ def run(arguments: argparse.Namespace) -> int:
     if report.sheets:
         rows.append(("sheet", "", str(report.sheets.total()), spread(report.sheets), f"{ratio(report.sheets):.2f}"))
     for line in in_columns(rows):
+        say(line)
+    if report.configurations:
+        say("\nhow often each configuration was drawn")
+    for line in in_columns(
+        [(str(number), form, group, counted(own)) for (number, form, group), own in report.configurations.items()]
+    ):
         say(line)
     if arguments.out:
         exam = restore(record, family_folders(arguments.families)).exam

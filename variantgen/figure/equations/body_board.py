@@ -27,8 +27,8 @@ from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Formula, Symbol
 from variantgen.wording.language import Language
 
-WIDE, HIGH = 86.0, 68.0  # room for a figure but for its labels, u
-_BODY_WIDE, _BODY_HIGH = 72.0, 52.0  # room for the bodies, u
+WIDE, HIGH = 80.0, 82.0  # room for a figure but for its labels, u
+_BODY_WIDE, _BODY_HIGH = 80.0, 73.0  # room for the bodies, u
 _SMALLER = 0.93  # steps in which room is sought
 _LEAST_BODY, _LEAST_RODS = 0.05, 0.5  # of the largest scale: how small bodies, and links between points, become
 _LANE = 2.3  # between arrows that would lie on each other, u

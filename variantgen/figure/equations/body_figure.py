@@ -33,7 +33,7 @@ from variantgen.variants.printed_data import shown_points
 from variantgen.wording.formula import Formula, Symbol
 from variantgen.wording.solution.quantity_symbols import centre_letters
 
-_LONGEST = 27.0  # length of the longest vector, u
+_LONGEST = 46.0  # length of the longest vector, u
 _SIZES = (1.0, 1.3, 0.8)  # of the vectors, tried until letters find room
 _NOTHING = 1e-9  # of the largest vector or rate
 _SQUARE = 2.4  # side of a right-angle mark, u

@@ -26,11 +26,11 @@ from variantgen.figure.placement.least_crowded import first_roomy
 from variantgen.methods.steps.point_vectors import Arrow, PointEquation, PointVectors
 from variantgen.wording.formula import Formula, to_plain
 
-LONGEST = 35.0  # length of the longest vector, u
+LONGEST = 56.0  # length of the longest vector, u
 _NOTHING = 1e-9  # of the longest vector: there is none
 # Lengths of vectors and size of the bodies, in proportion to the usual ones, tried until letters find room.
 _SIZES = ((1.0, 1.0), (1.25, 1.0), (1.0, 0.75), (1.4, 0.7))
-_SHARE = 0.75  # of the room for a figure that its vectors have
+_SHARE, _BESIDE_RODS = 0.75, 0.42  # of the room for a figure that its vectors have; rods do not become short
 _STRAIGHT = math.sin(math.radians(6))  # two vectors with a smaller angle make no parallelogram
 
 
@@ -91,7 +91,8 @@ def _drawn(
     # Equal vectors are one arrow with both names; none is left out, however short.
     together = named_together([(letters[a.name], a.vector) for a in arrows], math.inf)
     drawn, lengthened = _tips(together, longest, bodies.subject.least)
-    if (room := largest([0j, *drawn], _SHARE * WIDE, _SHARE * HIGH)) < 1.0:  # they would leave none for the bodies
+    share = _BESIDE_RODS if equation.rods else _SHARE
+    if (room := largest([0j, *drawn], share * WIDE, share * HIGH)) < 1.0:  # they would leave none for the bodies
         longest *= room
         drawn, lengthened = _tips(together, longest, bodies.subject.least)
     scale = bodies.scale(lambda scale: [scale * place, *(scale * place + 1.1 * vector for vector in drawn)], size)

@@ -11,6 +11,7 @@ import numpy as np
 from variantgen.families.draw_rules import frame
 from variantgen.families.quantities import Quantity, motion_order, split_name
 from variantgen.finished.restore import Finished
+from variantgen.marking.diagnosis.sliding_mistakes import sliding_mistakes
 from variantgen.mechanism.motion import Motion
 from variantgen.variants.distractors import wrong_answers
 from variantgen.variants.variant import Variant, parameter_arrays, solve_variants
@@ -46,6 +47,7 @@ def of_batch(variants: Sequence[Variant], asked: Sequence[Quantity]) -> list[OfP
     motion = solve_variants(variants, motion_order(asked))
     on_paper = frame([v.sense for v in variants], [v.turns for v in variants])
     wrong = wrong_answers(form, parameter_arrays(variants), on_paper, asked, motion)
+    wrong |= sliding_mistakes(form, asked, motion)
     units = [quantity.unit(length) for quantity in asked]
     parts = [_parts(quantity, motion) for quantity in asked]
     found: list[OfProblem] = []

@@ -1,4 +1,7 @@
-"""The key as a workbook: a row for each answer, and on the sheet of each problem a row for each student."""
+"""The key as a workbook: a row for each answer, and on the sheet of each problem a row for each student.
+
+The last sheet tells how much work everyone has.
+"""
 
 from __future__ import annotations
 
@@ -11,6 +14,7 @@ from variantgen.exam.sheets import Answer, Item, Sheet
 from variantgen.outputs.spreadsheet.headings import Headings
 from variantgen.outputs.spreadsheet.identity import WHO, finish, write_heads, write_identity
 from variantgen.outputs.spreadsheet.numbers import decimals, number_format, number_width, width
+from variantgen.outputs.spreadsheet.work_page import write_work
 from variantgen.outputs.spreadsheet.workbook_writer import CELL, HEAD, TEXT, Page, Workbook, open_workbook
 from variantgen.wording.distractors import mistake_text
 from variantgen.wording.language import Language
@@ -33,6 +37,7 @@ def write_key(exam: Exam, sheets: Sequence[Sheet], path: Path, folder: Path) -> 
         for place in range(len(exam.tasks)):
             for own in _asked_alike(sheets, place, headings):
                 _Table(book, place, own, headings).write()
+        write_work(book, exam, sheets)
 
 
 def _asked_alike(sheets: Sequence[Sheet], place: int, headings: Headings) -> list[list[Sheet]]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 import zipfile
+from dataclasses import replace
 from decimal import Decimal, InvalidOperation
 from pathlib import Path
 from typing import Any
@@ -33,8 +34,7 @@ def words_of_command(studio: Studio, folder: MarkingFolder) -> list[str]:
     words = ["mark", str(folder.build.folder), *map(str, given), "--out", str(folder.path / RESULT), "--force"]
     rules = folder.policy()
     words += ["--policy", str(rules)] if rules else []
-    own = any(studio.workspace.folder.glob("*/family.toml"))
-    return [*words, "--families", str(studio.workspace.folder)] if own else words
+    return [*words, *studio.workspace.families_option()]
 
 
 def command_of(studio: Studio, folder: MarkingFolder) -> str:
@@ -62,8 +62,7 @@ def take(folder: MarkingFolder, marked: MarkedBuild, incoming: Path, name: str) 
             try:
                 read_answers([trial], FormWords.of(finished.exam))
             except InputError as error:
-                text = str(error).replace(str(trial), name or "table")
-                raise InputError(Problem(text)) from None
+                raise InputError(replace(problem, file=name) for problem in error.problems) from None
         shutil.move(incoming, path)
     finally:
         incoming.unlink(missing_ok=True)

@@ -8,6 +8,7 @@ import os
 import sys
 import tempfile
 import zipfile
+from decimal import Decimal, InvalidOperation
 from pathlib import Path
 from typing import Any
 
@@ -19,8 +20,8 @@ from starlette.routing import Route
 
 from variantgen.errors import InputError, Problem
 from variantgen.studio.builds import FinishedBuild
-from variantgen.studio.frame import language_of, part
-from variantgen.studio.requests import document_of, number_of, read_json, studio_of
+from variantgen.studio.frame import command, language_of, part
+from variantgen.studio.requests import document_of, number_of, read_json, studio_of, text_of
 from variantgen.studio.studio import UnknownKeyError
 from variantgen.studio.summary import built_words
 from variantgen.studio.words import page_words
@@ -64,7 +65,9 @@ async def everything(request: Request) -> Response:
 async def verify(request: Request) -> Response:
     """What the command verify finds in a build."""
     await read_json(request)
-    code, said, _ = await run_command("verify", str(finished(request).folder), "--json")
+    code, said, _ = await run_command(
+        "verify", str(finished(request).folder), "--json", *studio_of(request).workspace.families_option()
+    )
     try:
         found = json.loads(said)
     except ValueError:
@@ -91,7 +94,8 @@ async def lost(request: Request) -> Response:
     handle, name = tempfile.mkstemp(suffix=".pdf")
     os.close(handle)
     path = Path(name)
-    code, _, said = await run_command("remake", str(finished(request).folder), "--student", who, "--out", name)
+    own = studio_of(request).workspace.families_option()
+    code, _, said = await run_command("remake", str(finished(request).folder), "--student", who, "--out", name, *own)
     if code:
         path.unlink(missing_ok=True)
         raise InputError(Problem(_text(said)[-400:]))
@@ -148,7 +152,27 @@ def _size(size: int, language: str) -> str:
     return text.replace(".", ",") if language == "ru" else text
 
 
+async def rekey(request: Request) -> Response:
+    """Another tolerance for a build: its key is made again by the command, its sheets stay."""
+    data = await read_json(request)
+    build, text = finished(request), text_of(data, "tolerance", 12).replace(",", ".").replace("%", "").strip()
+    try:
+        share = Decimal(text) / 100
+    except InvalidOperation:
+        share = Decimal(0)
+    if not share.is_finite() or not 0 < share < 1:
+        raise InputError(Problem("expected a number of per cent above 0", key="tolerance", value=text))
+    problem = number_of(data["problem"], "problem", 1, 100) if data.get("problem") else 0
+    given = f"{problem}={share:f}" if problem else f"{share:f}"
+    words = ("rekey", str(build.folder), "--tolerance", given, *studio_of(request).workspace.families_option())
+    code, _, said = await run_command(*words)
+    if code:
+        raise InputError(Problem(_text(said)[-400:]))
+    return JSONResponse({"command": command("variantgen", *words), "said": _text(said)[-400:]})
+
+
 ROUTES = [
+    Route("/builds/{build}/rekey", rekey, methods=["POST"]),
     Route("/{exam}/archive", archive),
     Route("/builds/{build}/file/{number}", download),
     Route("/builds/{build}/all.zip", everything),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 from starlette.concurrency import run_in_threadpool
@@ -10,9 +11,13 @@ from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
 from variantgen.errors import InputError, Problem
+from variantgen.studio.documents.document import Document
 from variantgen.studio.documents.edits import apply, read_operations
-from variantgen.studio.frame import build_command, render
+from variantgen.studio.frame import build_command, language_of, render
+from variantgen.studio.messages import error_text
+from variantgen.studio.preview import class_of
 from variantgen.studio.requests import document_of, number_of, read_json, studio_of, text_of
+from variantgen.studio.studio import Studio
 from variantgen.studio.summary import problems_of, students
 from variantgen.studio.workspace import USUAL_CLASS, write_whole
 
@@ -26,7 +31,7 @@ async def build(request: Request) -> Response:
     try:
         known, fault = students(studio), ""
     except InputError as error:
-        known, fault = 0, str(error)
+        known, fault = 0, error_text(error, language_of(request))
     formats = document.state().data.get("formats", ["pdf"])
     context: dict[str, Any] = {
         "formats": FORMATS,
@@ -77,7 +82,32 @@ async def next_year(request: Request) -> Response:
     return JSONResponse({"address": f"/{key}/compose", "file": path.name})
 
 
+async def overlap(request: Request) -> Response:
+    """How many variants of another series were handed out in the builds of this exam."""
+    studio, document = studio_of(request), document_of(request)
+    seed = request.query_params.get("seed", "").strip()[:40]
+    if not seed:
+        raise InputError(Problem("missing, expected another series", key="seed"))
+    return JSONResponse(await studio.typeset(lambda: _overlap(studio, document, seed)))
+
+
+def _overlap(studio: Studio, document: Document, seed: str) -> dict[str, int]:
+    """The variants of the class with another series, those that a build has had, and how many builds there are."""
+    from variantgen.builder.preview import DrawnClass
+    from variantgen.exam.manifest import read_manifest
+    from variantgen.families.folders import family_folders
+    from variantgen.finished.overlap import overlap
+    from variantgen.finished.restore import restore
+
+    builds = studio.builds.finished(document.key).values()
+    variants = DrawnClass(replace(document.exam(), seed=seed), class_of(studio.workspace)).variants()
+    folders = family_folders((studio.workspace.folder,))
+    same = overlap(variants, (restore(read_manifest(build.folder), folders) for build in builds))
+    return {"variants": len(variants), "same": same, "builds": len(builds)}
+
+
 ROUTES = [
+    Route("/{exam}/overlap", overlap),
     Route("/{exam}/build", build),
     Route("/{exam}/progress", progress),
     Route("/{exam}/start", start, methods=["POST"]),

@@ -79,6 +79,24 @@ $("next").addEventListener("submit", async event => {
   event.preventDefault();
   try { location.href = (await post(`/${exam}/next`, { seed: event.currentTarget.seed.value })).address; } catch (error) { complain(error); }
 });
+$("compare").addEventListener("click", async event => {
+  const button = event.currentTarget, said = $("overlap");
+  button.disabled = true; said.textContent = words.comparing;
+  try { said.textContent = fill(words.overlap, await get(`/${exam}/overlap?${asked}&seed=${encodeURIComponent($("next").seed.value)}`)); } catch (error) { said.textContent = error.message; }
+  button.disabled = false;
+});
+$("rekey").addEventListener("submit", async event => {
+  event.preventDefault();
+  const build = document.querySelector("[data-build]")?.dataset.build, said = $("rekeyed"), button = event.currentTarget.querySelector("button");
+  if (!build) { said.textContent = words.none; return; }
+  button.disabled = true; said.textContent = words.key_making;
+  try {
+    const found = await post(`/builds/${build}/rekey?${asked}`, { tolerance: event.target.tolerance.value });
+    said.textContent = words.key_made; $("command").textContent = found.command;
+    await archive();
+  } catch (error) { said.textContent = error.message; }
+  button.disabled = false;
+});
 
 show(JSON.parse(page.dataset.running));
 await archive();

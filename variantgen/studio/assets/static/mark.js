@@ -4,7 +4,7 @@ import { $, all, complain, el, exam, fill, get, lang, note, post, typing } from 
 const page = document.querySelector(".marking"), words = JSON.parse(page.dataset.words), build = page.dataset.build;
 const asked = more => new URLSearchParams({ build, lang, ...more });
 const state = { view: page.dataset.view, code: "", problem: "", quantity: "", only: "all", kind: "sheet" };
-const shown = $("shown"), list = $("list");
+const shown = $("shown") ?? el("div"), list = $("list") ?? el("div");  // there is nothing to mark without a build
 
 // ---- pieces of the page: the newest one wins, what is being typed stays
 let showing;
