@@ -54,14 +54,20 @@ def solution_words(language: Language) -> dict[str, str]:
 def problem_data(
     solved: SolvedProblem, language: Language, writing: Writing, figures: dict[int, Any] | None = None
 ) -> dict[str, Any]:
-    """One problem with its figures and its solution."""
+    """One problem and its solution; each figure but that of the statement is in the first step that names it."""
     text = solved.text
+    first, *others = [_shown(shown, figures or {}, writing) for row in solved.rows for shown in row]
+    sections = [_section(section, solved, language, writing) for section in text.sections]
+    free = dict(enumerate(others, start=2))
+    for section in sections:
+        own = [number for number in free if number in section["shows"] or section is sections[-1]]
+        section["figures"] = [free.pop(number) for number in own]
     return {
         "title": solved.variant.family.title(language.name),
         **statement_data(solved.statement, writing),
-        "figures": [[_shown(shown, figures or {}, writing) for shown in row] for row in solved.rows],
+        "figure": first,
         "plan": writing.text(text.plan),
-        "sections": [_section(section, solved, language, writing) for section in text.sections],
+        "sections": sections,
         "answer": writing.text(text.answer),
         "check": blocks_data(text.check, writing),
     }
