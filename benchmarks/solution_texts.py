@@ -21,8 +21,8 @@ from pathlib import Path
 from statistics import mean, median
 from typing import Any
 
-from variantgen.families.asking import read_ask
 from variantgen.families import folders, load
+from variantgen.families.asking import read_ask
 from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.methods.compose import solution
