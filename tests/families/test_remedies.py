@@ -8,6 +8,7 @@ import pytest
 
 from tests.scene_texts import CRANK
 from variantgen.cli import main
+from variantgen.resources import catalog_dir
 
 PLANET = """
 length_unit = "cm"
@@ -157,6 +158,8 @@ def test_a_quantity_that_one_form_is_given(capsys):
             "the direction of OA is angle_OA, a corner of three points angle_O.A.B",
         ),
         ("s_A", "a coordinate is x_B or y_B, the distance of two points distance_A.B; points: A, O"),
+        ("omega_A", "A is no body; its rotation is that of omega_OA"),
+        ("v_A at t = 3", "state a law of time in [laws], and the time as a parameter"),
     ],
 )
 def test_quantities_in_other_letters(output, asked, remedy):
@@ -193,3 +196,25 @@ def test_a_wheel_that_nothing_turns(output):
     message = output(drawn, 2)  # the radius of a disc may be a number, like every other length
     assert "(got omega of wheel)" in message
     assert "nothing turns wheel; a wheel rolls (rolling), meshes (gears)" in message
+
+
+def test_what_stands_below_the_wrong_heading(output):
+    message = output(
+        CRANK.replace("[bodies]\n", '[bodies]\nask = ["v_A"]\njoints = [{ pivot = { point = "O" } }]\n'), 2
+    )
+    assert "bodies.joints: stands below the heading [bodies]" in message
+    assert "write [[joints]] as a heading of its own" in message
+    assert "bodies.ask" in message
+
+
+def test_a_point_that_a_travel_alone_moves(output):
+    free = CRANK.partition("[bodies]")[0] + '[[drivers]]\ntravel = { point = "A", v = 3 }\n'
+    assert "A may go anywhere; a travel alone leads no point along a line, a guide or a slot does" in output(free, 2)
+
+
+def test_a_graph_of_what_is_no_rate_with_its_acceleration(tmp_path, capsys):
+    source = (catalog_dir() / "slider_crank_with_graph" / "family.toml").read_text("utf-8")
+    path = tmp_path / "graph.toml"
+    path.write_text(source.replace('["omega_OA", "epsilon_OA"]', '["omega_OA", "phi"]'), "utf-8")
+    assert main(["check", str(path)]) == 2
+    assert "expected the parameters of a rate and of its acceleration (got omega_OA, phi)" in capsys.readouterr().err

@@ -138,13 +138,13 @@ def test_another_look_is_noticed(
 ) -> None:
     """Other templates: the manifest says so, and the pages show it."""
     from variantgen import resources
-    from variantgen.exam import manifest
+    from variantgen.exam.manifest import reading
     from variantgen.outputs.typst import typesetter
 
     shutil.copytree(resources.templates_dir(), tmp_path / "templates")
     sheets = tmp_path / "templates" / "typst" / "sheets.typ"
     sheets.write_text(sheets.read_text("utf-8").replace("stroke: (bottom: 0.5pt)", "stroke: (bottom: 1pt)"), "utf-8")
-    for where in (manifest, typesetter):
+    for where in (reading, typesetter):
         monkeypatch.setattr(where, "templates_dir", lambda: tmp_path / "templates")
     remade(out, "s2", code=1)
     said = capsys.readouterr().err

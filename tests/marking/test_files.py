@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import csv
 import re
 from datetime import datetime
@@ -239,6 +240,36 @@ def test_keys_and_marks_are_no_answers(built: Path, mark: Mark, tmp_path: Path) 
 def test_every_row_without_a_student_is_told(mark: Mark, tmp_path: Path) -> None:
     _, _, _, left = mark(long(tmp_path, [("", "1.v_B", "3"), ("", "1.v_B", "4"), ("s1", "1.v_B", "5")]))
     assert [row["where"] for row in left] == ["long.csv, row 2", "long.csv, row 3"]
+
+
+def test_two_students_with_one_code(built: Path, mark: Mark, tmp_path: Path) -> None:
+    """Another name beside a code is told and not marked; of two answers under one code the first stands."""
+    right = key(built)
+    (code,) = {row["code"] for row in rows(built / "key.csv") if row["id"] == "s1"}
+    number = f"{right['s1', '1.v_B']:.4g}"
+    table = f"code,name,1.v_B\n{code},Ann Lee,{number}\n{code},Bob Ray,9\n{code},,8\n"
+    (tmp_path / "two.csv").write_text(table, "utf-8")
+    _, marks, _, left = mark(tmp_path / "two.csv")
+    assert [(row["id"], row["verdict"]) for row in marks if row["answer"]] == [("s1", "right")]
+    assert [(row["where"], row["why"]) for row in left] == [
+        ("two.csv, row 3", "the words of this row name different students"),
+        ("two.csv, row 4", "the same student has another answer in two.csv, row 2, which stands"),
+    ]
+
+
+def test_what_breaks_off_leaves_the_marks_before(mark: Mark, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Marks are never written half: a marking that ends in the middle changes nothing and leaves nothing behind."""
+    mark(long(tmp_path, [("s1", "1.v_B", "1")]))
+    before = {path: path.read_bytes() for path in (tmp_path / "marks").rglob("*") if path.is_file()}
+
+    def stopped(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("variantgen.marking.gradebooks.write_gradebooks", stopped)
+    with contextlib.suppress(KeyboardInterrupt):
+        mark(long(tmp_path, [("s1", "1.v_B", "2")], "other.csv"))
+    assert {path: path.read_bytes() for path in (tmp_path / "marks").rglob("*") if path.is_file()} == before
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["long.csv", "marks", "other.csv"]
 
 
 def test_columns_far_to_the_right(built: Path, mark: Mark, tmp_path: Path) -> None:

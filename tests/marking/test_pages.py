@@ -151,7 +151,8 @@ def test_points_by_hand_for_who_has_no_answers(built: Path, mark: Mark, tmp_path
     _, _, totals, left = mark(tmp_path / "filled.xlsx")
     assert {total["code"]: total["1"] for total in totals if total["code"] in codes} == {codes[0]: "1.5", codes[1]: "8"}
     assert [item["why"] for item in left] == ["the problem has 0 to 8 points: it cannot have 20"]
-    assert "1.5 (+1.5 by hand)" in (tmp_path / "marks" / "feedback" / f"{codes[0]}.html").read_text("utf-8")
+    page = (tmp_path / "marks" / "feedback" / f"{codes[0]}.html").read_text("utf-8")
+    assert "Problem 1: 1.5 of 8 (+1.5 by hand)" in page
 
 
 def test_anonymous_pages(built: Path, mark: Mark, tmp_path: Path) -> None:

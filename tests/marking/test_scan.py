@@ -346,6 +346,25 @@ def test_a_strong_mark_is_a_rival_of_a_stronger_one() -> None:
     assert [column.doubt for column in read[2:-1]] == [""] * 4
 
 
+@pytest.mark.parametrize(("corners", "doubt"), [(4, ""), (3, "crossed out")])
+def test_what_is_plainly_crossed_out_raises_no_doubt(corners: int, doubt: str) -> None:
+    """Strokes beyond all four corners of a bubble are what the page asks for; it may still be what was meant."""
+    shades = np.zeros((2, len(page.BUBBLES)))
+    strokes = np.zeros((2, len(page.BUBBLES), 4))
+    own = {
+        column: [k for k, one in enumerate(page.BUBBLES) if one.column == column]
+        for column in range(1, page.DIGITS + 1)
+    }
+    for places in own.values():
+        shades[:, places[3]] = 0.5
+    shades[0, own[2][7]] = 0.6
+    strokes[0, own[2][7], :corners] = 0.5
+    measured = Darkness(shades, strokes, np.ones((2, page.DIGITS + 1)), noise=0.002, outlines=np.full(2, 30.0))
+    read = columns(measured)[0][2]
+    assert (read.value, read.doubt, read.open) == (3, doubt, False)
+    assert 7 in read.others
+
+
 @pytest.mark.parametrize("corner", range(4))
 def test_a_page_with_three_corner_marks_is_not_read(corner: int, english: Built) -> None:
     done = filled(english.pages[0], ["12", "3.4", "5", "6", "7"])

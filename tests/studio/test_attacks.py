@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+import asyncio
 import json
 import os
 import shutil
+import socket
 import stat
+import threading
+from collections.abc import Awaitable, Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
+import uvicorn
 
 from tests.studio.asking import HOST, PORT, Asking
 from tests.studio.conftest import EXAM, TOKEN
@@ -53,6 +59,26 @@ def test_without_the_cookie_nothing_is_seen(client: Asking, path: str) -> None:
     ):
         answer = client.get(path, cookie=cookie)
         assert answer.status == 403 and "Homework" not in answer.text
+
+
+def test_a_browser_is_opened_by_a_file_and_not_by_the_token(
+    chromium: Any, served: tuple[str, Path], folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """No argument of a program has the token; the file that only its owner can read leads to the first page."""
+    opened: list[str] = []
+    monkeypatch.setattr("webbrowser.open", opened.append)
+    workspace = Workspace(folder)
+    server._open(workspace, f"{served[0]}/?t={TOKEN}", True, lambda _: None)
+    [address] = opened
+    door = folder / ".studio" / "open.html"
+    assert address == door.resolve().as_uri() and TOKEN not in address
+    assert stat.S_IMODE(door.stat().st_mode) == 0o600
+    context = chromium.new_context()
+    page = context.new_page()
+    page.goto(address)
+    page.wait_for_selector("header.top")
+    assert page.url.startswith(served[0]) and TOKEN not in page.url
+    context.close()
 
 
 def test_the_first_address_becomes_a_strict_cookie(client: Asking) -> None:
@@ -233,6 +259,38 @@ def test_slow_bodies_are_given_up(client: Asking, monkeypatch: pytest.MonkeyPatc
     raw = [(b"host", HOST.encode()), (b"origin", f"http://{HOST}".encode()), (b"cookie", COOKIE.encode())]
     raw += [(b"content-type", b"application/json")]
     assert client.raw("POST", "/exam/edit", raw, [b"{", None, b"}"]).status == 413
+
+
+def test_bodies_that_only_trickle_are_given_up(client: Asking, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Every piece comes in time, the whole does not."""
+    monkeypatch.setattr(security, "WHOLE_SECONDS", 0.0)
+    monkeypatch.setattr(security, "_SLOWEST", 1e12)
+    assert client.ask("POST", "/exam/edit", [b"{", b'"a"', b": 1}"], content_type="application/json").status == 413
+
+
+def test_headers_must_come_in_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A connection that says nothing, and one whose headers do not end, are closed; a whole request is answered."""
+
+    async def app(_: object, __: object, send: Callable[[dict[str, Any]], Awaitable[None]]) -> None:
+        await asyncio.sleep(0.3)  # longer than headers may take
+        await send({"type": "http.response.start", "status": 200, "headers": [(b"content-length", b"2")]})
+        await send({"type": "http.response.body", "body": b"ok"})
+
+    monkeypatch.setattr(server, "HEADER_SECONDS", 0.1)
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        running = uvicorn.Server(uvicorn.Config(app, log_level="error", http=server.PatientProtocol, lifespan="off"))
+        thread = threading.Thread(target=running.run, kwargs={"sockets": [listener]}, daemon=True)
+        thread.start()
+        for said, heard in (
+            (b"", b""),
+            (b"GET / HTTP/1.1\r\nHost: x\r\nX-", b""),
+            (b"GET / HTTP/1.1\r\nHost: x\r\n\r\n", b"HTTP/1.1 200"),
+        ):
+            with socket.create_connection(listener.getsockname(), timeout=10) as connection:
+                connection.sendall(said)
+                assert connection.recv(12) == heard, said
+        running.should_exit = True
+        thread.join(10)
 
 
 def test_odd_values_have_a_message(client: Asking, folder: Path) -> None:

@@ -154,6 +154,7 @@ def test_tables_that_cannot_be_read_are_refused(client: Asking, folder: Path) ->
         answer = bring(client, content, "class.xlsx")
         assert answer.status == 400 and ".studio" not in answer.text
     assert client.ask("PUT", "/exam/roster/table?name=x", content_length="60000000").status == 413
+    assert "это не книга XLSX" in bring(client, b"PK\x03\x04nothing", "x.xlsx&lang=ru").text
     assert ready(client)["count"] == "1"  # the table before is still there
     for data in (
         {"tab": 5, "kind": "id"}, {"column": 7, "kind": "id"}, {"column": 0, "kind": "no"}, {"begin": -1},

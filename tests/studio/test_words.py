@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import ast
 import re
 import tomllib
 from string import Formatter
 
+from variantgen.errors import InputError, Problem
 from variantgen.families.folders import family_names
 from variantgen.families.load import load_family
+from variantgen.studio.messages import error_text, in_language
 from variantgen.studio.words import ASSETS, LANGUAGES
 
 PARTS = ("choose", "compose", "build", "roster", "mark", "play")  # pages whose pieces are templates of their own
@@ -54,3 +57,31 @@ def test_every_form_of_the_catalogue_is_told() -> None:
         for own in forms.values():
             assert own["level"] in (1, 2, 3)
             assert len(family.forms) == 1 or (own["en"] and own["ru"])
+
+
+def messages_of_the_studio() -> set[str]:
+    """What the studio says of wrong input, with {} for what is named in it."""
+    found = set()
+    for path in ASSETS.parent.rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+            if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "Problem":
+                for said in [*node.args[:1], *(word.value for word in node.keywords if word.arg == "remedy")]:
+                    parts = said.values if isinstance(said, ast.JoinedStr) else [said]
+                    constants = [part.value if isinstance(part, ast.Constant) else "{}" for part in parts]
+                    found.add("".join(map(str, constants)))
+    return found - {"{}"}
+
+
+def test_messages_of_the_studio_are_told_in_russian() -> None:
+    known = tomllib.loads((ASSETS / "messages" / "ru.toml").read_text("utf-8"))
+    assert messages_of_the_studio() - known.keys() == set()
+    assert all(english.count("{}") == russian.count("{}") for english, russian in known.items())
+    assert in_language("expected a whole number, 1 to 5", "ru") == "ожидалось целое число от 1 до 5"
+    assert in_language("unknown key (got pionts)", "ru") == "неизвестный ключ (получено pionts)"
+    assert in_language("did you mean points?", "ru") == "имелось в виду points?"
+    assert in_language("unknown key", "en") == in_language("unknown key", "") == "unknown key"
+    assert in_language("nobody has said this", "ru") == "nobody has said this"
+    error = InputError(Problem("the id stands twice", "list.csv", "row 3", "7", "it is the id of row 2 too"))
+    assert (
+        error_text(error, "ru") == "list.csv: row 3: номер стоит дважды (получено 7)\n    этот номер и у другой: row 2"
+    )

@@ -132,8 +132,8 @@ def check_quantities(variant: Variant, report: Report) -> None:
 
 def _at_constant_speed(variant: Variant) -> Variant:
     """The variant with all accelerations zero that are given as numbers: its text must not speak of them."""
-    told = variant.form.figure.graph
-    second = {n for n, parameter in variant.form.parameters.items() if parameter.of_second_order and n not in told}
+    graphed = variant.form.figure.graph
+    second = {n for n, parameter in variant.form.parameters.items() if parameter.of_second_order and n not in graphed}
     return replace(variant, printed={n: Decimal(0) if n in second else v for n, v in variant.printed.items()})
 
 

@@ -88,7 +88,7 @@ class Sheet:
 
     student: Student
     code: str
-    items: tuple[Item, ...]
+    items: Sequence[Item]
 
 
 def variant_codes(seed: str, students: Sequence[Student], taken: Collection[str] = ()) -> list[str]:

@@ -33,6 +33,9 @@ SECTIONS = (
     "parameters", "derived", "laws", "points", "conditions", "bodies", "joints", "drivers", "screens", "pose", "figure",
     "symbols", "nouns", "nice", "machine",
 )  # fmt: skip
+_OF_NAMES = ("parameters", "derived", "laws", "points", "bodies", "symbols", "nouns")  # tables with names as keys
+_LISTED = ("joints", "drivers", "conditions")
+_OF_FORM = (*_LISTED, "ask", "may_ask", "length_unit")
 _PLAIN = re.compile(r"[A-Za-z][A-Za-z0-9]{0,20}")
 _MOST = {"parameters": PARAMETERS, "derived": DERIVED, "laws": DERIVED} | dict.fromkeys(
     ("points", "conditions", "bodies", "joints", "drivers"), PARTS
@@ -63,6 +66,7 @@ class FormReader:
         before = len(self.problems)
         for section, most in _MOST.items():
             self.top.bounded(section, most)
+        self._check_headings()
         if len(self.problems) > before:
             return None  # what refers to the missing entries would be reported too
         parameters = self.top.table("parameters")
@@ -124,6 +128,16 @@ class FormReader:
             _ = form.plan
             self._check_ask(form)
         return form if len(self.problems) == before else None
+
+    def _check_headings(self) -> None:
+        """What is meant for the whole form does not stand below the heading of a table of names."""
+        for section in _OF_NAMES:
+            table = self.top.data.get(section)
+            for key in table if isinstance(table, dict) else ():
+                if key in _OF_FORM:
+                    said = f"stands below the heading [{section}], so it belongs to that table"
+                    heading = f"[[{key}]] as a heading of its own" if key in _LISTED else "it above the first heading"
+                    self.top.problem(said, f"{section}.{key}", "", f"write {heading}")
 
     def _read_parameter(self, table: Table, name: str, value: Any) -> Parameter | None:
         """A parameter, as long as there is room for the values of all of them."""

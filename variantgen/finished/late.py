@@ -91,7 +91,7 @@ def standing(records: Sequence[Manifest], folders: tuple[Path, ...]) -> tuple[li
         differences.update(dict.fromkeys(finished.differences))
         found += [
             HandedOutSheet(sheet.student, sheet.code, tuple(own))
-            for sheet, own in zip(record.sheets, finished.variants, strict=True)
+            for sheet, own in zip(record.sheets, finished.variants(record.sheets), strict=True)
         ]
     return found, list(differences)
 

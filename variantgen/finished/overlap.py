@@ -14,5 +14,5 @@ def overlap(variants: Iterable[Variant], builds: Iterable[Finished]) -> int:
     The mirrored or turned figure of the same data is the same variant. Raises InputError where the variants of a build
     cannot be restored.
     """
-    known = {variant.identity for build in builds for own in build.variants for variant in own}
+    known = {variant.identity for build in builds for own in build.variants(build.record.sheets) for variant in own}
     return sum(variant.identity in known for variant in variants)

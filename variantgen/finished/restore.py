@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal, InvalidOperation
-from functools import cached_property
 from pathlib import Path
 
 from variantgen.errors import InputError, Problem
@@ -27,28 +26,34 @@ class Finished:
     exam: Exam
     differences: tuple[str, ...]
 
-    @cached_property
-    def variants(self) -> list[list[Variant]]:
-        """The variants of each student. Raises InputError with every problem found."""
+    def variants(self, sheets: Iterable[RecordedSheet]) -> Iterator[list[Variant]]:
+        """The variants of each of some sheets. Raises InputError with every problem found, after the last of them.
+
+        Those of a whole class are never in memory together, unless somebody keeps them.
+        """
         problems: list[Problem] = []
-        found = [[_variant(self.exam, p, where, problems) for where, p in _placed(s)] for s in self.record.sheets]
+        for sheet in sheets:
+            found = [_variant(self.exam, problem, where, problems) for where, problem in _placed(sheet)]
+            yield [variant for variant in found if variant is not None]
         if problems:
             raise InputError(problem.located(str(self.record.path)) for problem in problems)
-        return [[variant for variant in own if variant is not None] for own in found]
 
     def variant(self, place: int, number: int) -> Variant:
         """The variant of a student, by the place of the student and the number of the problem. Raises InputError."""
-        numbers = [problem.number for problem in self.record.sheets[place].problems]
-        return self.variants[place][numbers.index(number)]
+        sheet = self.record.sheets[place]
+        (own,) = self.variants([sheet])
+        return own[[problem.number for problem in sheet.problems].index(number)]
 
     def sheets(self, places: Sequence[int], marked: bool = False) -> tuple[Sheet, ...]:
         """The sheets of some students, by their places, with answers computed anew.
 
         ``marked``: with the mistakes that go unnoticed in answers, which only a key shows.
         """
-        chosen = [(self.record.sheets[i], self.variants[i]) for i in places]
-        tasks = [[_task(self.exam, problem) for problem in sheet.problems] for sheet, _ in chosen]
-        flat = [variant for _, own in chosen for variant in own]
+        chosen = [self.record.sheets[i] for i in places]
+        recorded = [sheet.problems for sheet in chosen]
+        restored = list(self.variants(chosen))
+        tasks = [[_task(self.exam, problem) for problem in problems] for problems in recorded]
+        flat = [variant for own in restored for variant in own]
         every = [task for own in tasks for task in own]
         tolerances = [self.exam.tolerance_of(task) for task in every]
         answers = iter(answer_variants(flat, [task.ask for task in every], tolerances, marked))
@@ -58,10 +63,10 @@ class Finished:
                 sheet.code,
                 tuple(
                     Item(task, variant, next(answers), problem.work)
-                    for task, variant, problem in zip(own, variants, sheet.problems, strict=True)
+                    for task, variant, problem in zip(own, variants, problems, strict=True)
                 ),
             )
-            for (sheet, variants), own in zip(chosen, tasks, strict=True)
+            for sheet, problems, variants, own in zip(chosen, recorded, restored, tasks, strict=True)
         )
 
 

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import islice, tee
 from pathlib import Path
 
 import numpy as np
 
-from variantgen.exam.manifest import NAME, RecordedAnswer
+from variantgen.exam.manifest import NAME, RecordedAnswer, RecordedProblem, RecordedSheet
 from variantgen.families.asking import read_ask
 from variantgen.families.quantities import Quantity, motion_order
 from variantgen.finished.restore import Finished
@@ -46,27 +47,24 @@ def verify(finished: Finished, folder: Path) -> VerificationReport:
     """Compute every answer again and look whether the files are as they were built."""
     faults, edited = _files(finished, folder)
     largest, count = 0.0, 0
-    for start in range(0, len(finished.record.sheets), _AT_ONCE):
-        for place, number, answer, again, scale in _recomputed(finished, start):
+    sheets, same = tee(replace(sheet, problems=tuple(sheet.problems)) for sheet in finished.record.sheets)
+    pairs = zip(sheets, finished.variants(same), strict=True)
+    while some := list(islice(pairs, _AT_ONCE)):
+        for who, answer, again, scale in _recomputed(finished, some):
             count += 1
             if answer is None or again is None:
-                faults.append(f"{_who(finished, place, number)}: the key does not answer what the exam asks")
+                faults.append(f"{who}: the key does not answer what the exam asks")
                 continue
             difference = _difference(answer, again)
             allowed = max(_RELATIVE * abs(again), _OF_LARGEST * scale)
             if not difference <= allowed:
                 faults.append(
-                    f"{_who(finished, place, number)}: {answer.quantity} is {answer.value:.8g} {answer.unit} in the "
+                    f"{who}: {answer.quantity} is {answer.value:.8g} {answer.unit} in the "
                     f"manifest, {again:.8g} by the independent path"
                 )
             elif again:
                 largest = max(largest, difference / max(abs(again), _OF_LARGEST / _RELATIVE * scale))
     return VerificationReport(len(finished.record.sheets), count, largest, tuple(faults), tuple(edited))
-
-
-def _who(finished: Finished, place: int, number: int) -> str:
-    sheet = finished.record.sheets[place]
-    return f"student {sheet.student.id}, problem {sheet.problems[number].number}"
 
 
 def _difference(answer: RecordedAnswer, again: float) -> float:
@@ -75,41 +73,33 @@ def _difference(answer: RecordedAnswer, again: float) -> float:
     return min(plain, abs(plain - 360.0)) if answer.unit == "deg" else plain
 
 
-Compared = tuple[int, int, RecordedAnswer | None, float | None, float]
+Compared = tuple[str, RecordedAnswer | None, float | None, float]
 
 
-def _recomputed(finished: Finished, start: int) -> Iterator[Compared]:
-    """Place of the student, index of the problem, the answer of the manifest, the value again, the largest of its kind.
+def _recomputed(finished: Finished, sheets: Sequence[tuple[RecordedSheet, Sequence[Variant]]]) -> Iterator[Compared]:
+    """Student and problem, the answer of the manifest, the value again, the largest of its kind.
 
     Where the manifest has not the answers that the exam asks, both are None.
     """
-    places = range(start, min(start + _AT_ONCE, len(finished.variants)))
-    groups: dict[tuple[int, int], list[tuple[int, int]]] = {}
-    for place in places:
-        for number, variant in enumerate(finished.variants[place]):
-            groups.setdefault((id(variant.form), _task_number(finished, place, number)), []).append((place, number))
+    groups: dict[tuple[int, int], list[tuple[str, RecordedProblem, Variant]]] = {}
+    for sheet, own in sheets:
+        if len(own) < len(sheet.problems):
+            continue  # a variant that cannot be, which is said in the end
+        for problem, variant in zip(sheet.problems, own, strict=True):
+            who = f"student {sheet.student.id}, problem {problem.number}"
+            groups.setdefault((id(variant.form), problem.number), []).append((who, problem, variant))
     for members in groups.values():
-        variants = [finished.variants[place][number] for place, number in members]
-        asked = _asked(finished, *members[0])
+        variants = [variant for *_, variant in members]
+        task = next(task for task in finished.exam.tasks if task.number == members[0][1].number)
+        asked = read_ask(variants[0].form, task.ask)
         motion, values, scales = independent(variants, asked)
-        for i, (place, number) in enumerate(members):
-            answers = finished.record.sheets[place].problems[number].answers
-            names = [(q.name, q.unit(variants[i].family.length_unit).name) for q in asked]
-            if [(a.quantity, a.unit) for a in answers] != names or not motion.solved[i]:
-                yield place, number, None, None, 0.0
+        names = [(q.name, q.unit(variants[0].family.length_unit).name) for q in asked]
+        for i, (who, problem, _) in enumerate(members):
+            if [(a.quantity, a.unit) for a in problem.answers] != names or not motion.solved[i]:
+                yield who, None, None, 0.0
                 continue
-            for k, answer in enumerate(answers):
-                yield place, number, answer, float(values[k][i]), float(scales[k][i])
-
-
-def _task_number(finished: Finished, place: int, number: int) -> int:
-    return finished.record.sheets[place].problems[number].number
-
-
-def _asked(finished: Finished, place: int, number: int) -> list[Quantity]:
-    wanted = _task_number(finished, place, number)
-    task = next(task for task in finished.exam.tasks if task.number == wanted)
-    return read_ask(finished.variants[place][number].form, task.ask)
+            for k, answer in enumerate(problem.answers):
+                yield who, answer, float(values[k][i]), float(scales[k][i])
 
 
 def independent(variants: Sequence[Variant], asked: Sequence[Quantity]) -> tuple[Motion, np.ndarray, np.ndarray]:

@@ -67,6 +67,7 @@ def write_pages(folder: Path, finished: Finished, marked: Marked, anonymous: boo
                     "number": number,
                     "answers": [_answer(finished, item, language) for item in items],
                     "points": _number(shown(total.problems[number]), language),
+                    "of": _number(shown(sum((item.of for item in items), Fraction(0))), language),
                     "by_hand": _by_hand(total.by_hand.get(number), language),
                     "steps": _steps(finished, items) if steps else [],
                 }
@@ -157,6 +158,12 @@ def _write_statistics(path: Path, finished: Finished, marked: Marked, language: 
     }
     facts = class_facts(marked, mirrored)
     words = language.words("marking")
+    symbols = {
+        (item.problem, item.answer.quantity.name): Markup("{}. {}").format(
+            item.problem, _symbol(finished.variant(item.place, item.problem).form, item.answer.quantity, language)
+        )
+        for item in marked.marks
+    }
     bands = [0] * _BANDS
     for share in facts.shares:
         bands[min(int(share * _BANDS), _BANDS - 1)] += 1
@@ -170,12 +177,11 @@ def _write_statistics(path: Path, finished: Finished, marked: Marked, language: 
             {"from": 10 * i, "to": 10 * (i + 1), "count": count, "height": round(100 * count / max([*bands, 1]))}
             for i, count in enumerate(bands)
         ],
-        verdicts=[(name, words[name]) for name in _VERDICTS],
-        advice=[_advised(item, words, language) for item in facts.advice],
+        verdicts=[(name, words["follows" if name == "follow_through" else name]) for name in _VERDICTS],
+        advice=[_advised(item, symbols, words, language) for item in facts.advice],
         uneven=[
             {
-                "number": item.number,
-                "quantity": item.quantity,
+                "symbol": symbols[item.number, item.quantity],
                 "forms": [
                     (form, round(100 * right / (right + others)))
                     for form, (right, others) in zip(item.forms, item.right, strict=True)
@@ -185,8 +191,8 @@ def _write_statistics(path: Path, finished: Finished, marked: Marked, language: 
             for item in facts.uneven
         ],
         mirrored=[{"number": n, "p": _number(f"{p:.2g}", language)} for n, p in facts.mirrored.items()],
-        problems=[_problem(item, language) for item in facts.problems],
-        forms=[_problem(item, language) for item in facts.forms],
+        problems=[_problem(item, symbols, language) for item in facts.problems],
+        forms=[_problem(item, symbols, language) for item in facts.forms],
         equal=[{"number": n, "p": _number(f"{p:.2g}", language)} for n, p in facts.equal_forms.items()],
     )
 
@@ -201,16 +207,18 @@ def _bars(counts: Sequence[int]) -> list[dict[str, Any]]:
     return found
 
 
-def _advised(item: Advice, words: Mapping[str, str], language: Language) -> dict[str, str]:
+def _advised(
+    item: Advice, symbols: Mapping[tuple[int, str], Markup], words: Mapping[str, str], language: Language
+) -> dict[str, str]:
     """A piece of advice in words."""
-    what = f"{item.number}.{item.quantity}" if item.quantity else f"{item.number}"
+    what = symbols[item.number, item.quantity] if item.quantity else f"{item.number}"
     reason = words["advice.correlation" if not item.quantity else "advice.hardly"]
     if item.kind == "teach":
         reason = cause_in_words(item.cause, words, language, {})
     return {"kind": words[f"advice.{item.kind}"], "what": what, "reason": reason}
 
 
-def _problem(item: ProblemFacts, language: Language) -> dict[str, Any]:
+def _problem(item: ProblemFacts, symbols: Mapping[tuple[int, str], Markup], language: Language) -> dict[str, Any]:
     """One row of the statistics with those of its answers."""
     return {
         "number": item.number,
@@ -222,7 +230,7 @@ def _problem(item: ProblemFacts, language: Language) -> dict[str, Any]:
         else _number(f"{Decimal(item.discrimination):.2f}", language),
         "answers": [
             {
-                "quantity": a.quantity,
+                "symbol": symbols[item.number, a.quantity],
                 "counts": [a.verdicts.get(name, 0) for name in _VERDICTS],
                 "bars": _bars([a.verdicts.get(name, 0) for name in _VERDICTS]),
                 "share": round(100 * a.share),

@@ -146,4 +146,9 @@ def _fixing(free: Sequence[str]) -> str:
             f": nothing turns {bodies[0]}; a wheel rolls (rolling), meshes (gears) or has a rope on it, any body can be"
             " driven (rotation) or kept from turning (translation)"
         )
+    lost = sorted({name.split()[2] for name in free if name.startswith("velocity of ")})
+    if lost and len(free) == 2 * len(lost):  # both directions of each
+        text += (
+            f": {', '.join(lost)} may go anywhere; a travel alone leads no point along a line, a guide or a slot does"
+        )
     return text

@@ -17,7 +17,8 @@ from starlette.types import ASGIApp
 from variantgen.errors import InputError, VariantgenError
 from variantgen.studio.documents.document import ConflictError, RefusedError
 from variantgen.studio.documents.edits import plain
-from variantgen.studio.frame import error_page, wants_page
+from variantgen.studio.frame import error_page, language_of, wants_page
+from variantgen.studio.messages import error_text, in_language, told
 from variantgen.studio.pages import PAGES
 from variantgen.studio.requests import studio_of
 from variantgen.studio.security import BodyError, Guard
@@ -74,14 +75,16 @@ async def _refusal(request: Request, error: VariantgenError) -> Response:
     if isinstance(error, ConflictError):
         values = {"mine": plain(error.mine), "theirs": plain(error.theirs)}
         return JSONResponse({"conflict": error.path, **values, "moved": error.moved}, 409)
+    language = language_of(request)
     if isinstance(error, RefusedError):
-        return JSONResponse({"problems": [vars(problem) for problem in error.problems]}, 422)
+        return JSONResponse({"problems": [told(problem, language) for problem in error.problems]}, 422)
     status = 404 if isinstance(error, UnknownKeyError) else 400
     if wants_page(request):
-        return error_page(request, status, str(error))
+        return error_page(request, status, error_text(error, language))
     problems = error.problems if isinstance(error, InputError) else ()
-    found = [{"key": p.key, "message": p.message, "remedy": p.remedy, "line": 0} for p in problems]
-    return JSONResponse({"problems": found or [{"key": "", "message": str(error), "remedy": "", "line": 0}]}, status)
+    found = [told(problem, language) for problem in problems]
+    text = error_text(error, language)
+    return JSONResponse({"problems": found or [{"key": "", "message": text, "remedy": "", "line": 0}]}, status)
 
 
 async def _given_up(_: Request, __: BodyError) -> Response:
@@ -90,7 +93,7 @@ async def _given_up(_: Request, __: BodyError) -> Response:
 
 async def _failed(request: Request, error: Exception) -> Response:
     """What a fault of the program is answered; its name helps who is told of it."""
-    message = f"the program has a fault here: {type(error).__name__}"
+    message = in_language(f"the program has a fault here: {type(error).__name__}", language_of(request))
     if wants_page(request):
         return error_page(request, 500, message)
     return JSONResponse({"problems": [{"key": "", "message": message, "remedy": "", "line": 0}]}, 500)

@@ -3,7 +3,8 @@
 The checks, in their order, for every method:
 
 - Host has to be this server, so that a foreign name which is made to point here (DNS rebinding) is refused;
-- Sec-Fetch-Site and, for what changes anything, Origin have to be those of a page of this server;
+- Sec-Fetch-Site and, for what changes anything, Origin have to be those of a page of this server, but for the first
+  address with the right token, which a file of this machine may open;
 - a cookie, SameSite=Strict, has the random token of the first address ``/?t=TOKEN``;
 - bodies have a size, and times in which the next piece and the whole must have come.
 
@@ -20,7 +21,7 @@ from http.cookies import CookieError, SimpleCookie
 from urllib.parse import parse_qs
 
 from starlette.datastructures import Headers, MutableHeaders
-from starlette.responses import JSONResponse, RedirectResponse, Response
+from starlette.responses import HTMLResponse, JSONResponse, RedirectResponse, Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from variantgen.limits import ROSTER_BYTES
@@ -47,6 +48,8 @@ WHOLE_SECONDS = 60.0  # in which a whole body must have come, besides the time t
 _SLOWEST = 100_000  # bytes a second
 _LOG = logging.getLogger("variantgen.studio")
 _READING = ("GET", "HEAD")
+_OWN_SITES = ("same-origin", "none")
+_LED_ON = '<!doctype html><meta charset="utf-8"><meta http-equiv="refresh" content="0; url=/"><title>variantgen</title>'
 _METHODS = (*_READING, "POST", "PUT")
 
 
@@ -82,8 +85,8 @@ class Guard:
             return _refused("this server answers only to its own address", 421)
         if method not in _METHODS:
             return _refused("unknown method", 405)
-        if headers.get("sec-fetch-site", "none") not in ("same-origin", "none"):
-            return _refused("another site asks", 403)
+        if headers.get("sec-fetch-site", "none") not in _OWN_SITES:
+            return self._door(scope) or _refused("another site asks", 403)
         if method not in _READING and headers.getlist("origin") != [f"http://{hosts[0]}"]:
             return _refused("another site asks", 403)
         if not self._is_known(headers):
@@ -109,7 +112,9 @@ class Guard:
         given = parse_qs(scope["query_string"].decode("latin-1")).get("t", [])
         if len(given) != 1 or not self._is_token(given[0]):
             return None
-        answer = RedirectResponse("/", 303)
+        own = Headers(scope=scope).get("sec-fetch-site", "none") in _OWN_SITES
+        # Whoever comes from a file of this machine is led on by a page: a redirection would come without the cookie.
+        answer: Response = RedirectResponse("/", 303) if own else HTMLResponse(_LED_ON)
         answer.set_cookie(self.cookie, self._token, httponly=True, samesite="strict")
         return answer
 

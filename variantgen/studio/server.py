@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import html
 import json
 import os
 import re
@@ -13,7 +14,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import h11
 import uvicorn
+from uvicorn.protocols.http.h11_impl import H11Protocol
 
 from variantgen.errors import InputError, Problem
 from variantgen.studio.app import make_app
@@ -24,6 +27,12 @@ ADDRESS = "127.0.0.1"
 PORT = 8765
 _TRIED = 20  # ports, where none is asked for
 _LOCK = "running.json"
+_DOOR = "open.html"
+_LEADS = (
+    '<!doctype html><meta charset="utf-8"><meta http-equiv="refresh" content="0; url={address}">'
+    "<title>variantgen</title>"
+)
+HEADER_SECONDS = 20.0  # in which the headers of a request must have come
 _OWN_ADDRESS = re.compile(rf"http://{re.escape(ADDRESS)}:([0-9]{{1,5}})/\?t=[A-Za-z0-9_-]+")
 _LAST_PORT = 65_535
 
@@ -33,7 +42,7 @@ def serve(folder: Path, port: int | None, browser: bool, say: Callable[[str], No
     workspace = Workspace(folder)
     running = _running(workspace)
     if running:
-        _open(running, browser, say)
+        _open(workspace, running, browser, say)
         return
     with _listening(port) as listener:
         own_port, token = listener.getsockname()[1], secrets.token_urlsafe(24)
@@ -41,9 +50,12 @@ def serve(folder: Path, port: int | None, browser: bool, say: Callable[[str], No
         lock = workspace.state(_LOCK)
         _write_lock(lock, address)
         try:
-            _run(make_app(Studio(workspace), token, own_port), listener, lambda: _open(address, browser, say))
+            _run(
+                make_app(Studio(workspace), token, own_port), listener, lambda: _open(workspace, address, browser, say)
+            )
         finally:
             lock.unlink(missing_ok=True)
+            workspace.state(_DOOR).unlink(missing_ok=True)
 
 
 def _run(app: Any, listener: socket.socket, started: Callable[[], None]) -> None:
@@ -54,7 +66,7 @@ def _run(app: Any, listener: socket.socket, started: Callable[[], None]) -> None
         access_log=False,
         server_header=False,
         ws="none",
-        http="h11",
+        http=PatientProtocol,
         timeout_keep_alive=30,
         timeout_graceful_shutdown=1,
         h11_max_incomplete_event_size=32_000,
@@ -69,12 +81,53 @@ def _run(app: Any, listener: socket.socket, started: Callable[[], None]) -> None
     asyncio.run(running())
 
 
-def _open(address: str, browser: bool, say: Callable[[str], None]) -> None:
-    say(address)
-    if browser:
-        import webbrowser
+class PatientProtocol(H11Protocol):
+    """HTTP whose headers must have come in time, from the first byte of a connection on; slow bodies are the app's."""
 
-        webbrowser.open(address)
+    _waiting: asyncio.TimerHandle | None = None
+
+    def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]  # as in its base
+        """A connection has been opened."""
+        super().connection_made(transport)
+        self._wait()
+
+    def data_received(self, data: bytes) -> None:
+        """A piece of a request has come."""
+        begins = self._waiting is None and self.conn.their_state is h11.IDLE
+        if begins:  # the next request of a connection that was idle
+            self._wait()
+        super().data_received(data)
+        if self._waiting is not None and self.conn.their_state is not h11.IDLE:
+            self._waiting.cancel()
+            self._waiting = None
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        """The connection has ended."""
+        if self._waiting is not None:
+            self._waiting.cancel()
+            self._waiting = None
+        super().connection_lost(exc)
+
+    def _wait(self) -> None:
+        self._waiting = self.loop.call_later(HEADER_SECONDS, self.transport.close)
+
+
+def _open(workspace: Workspace, address: str, browser: bool, say: Callable[[str], None]) -> None:
+    """Tell the address, and open it in a browser by a file that only its owner can read.
+
+    A program that is started with the address as argument would show the token in the list of processes.
+    """
+    say(address)
+    if not browser:
+        return
+    import webbrowser
+
+    path = workspace.state(_DOOR)
+    path.unlink(missing_ok=True)
+    handle = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+    with os.fdopen(handle, "w", encoding="utf-8") as file:
+        file.write(_LEADS.format(address=html.escape(address)))
+    webbrowser.open(path.resolve().as_uri())
 
 
 def _listening(port: int | None) -> socket.socket:

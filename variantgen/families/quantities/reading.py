@@ -144,6 +144,7 @@ def _is_position(quantity: Quantity, scene: Scene) -> bool:
 # How others write a quantity, and how it is written here.
 _OTHERWISE = {"alpha": "epsilon", "eps": "epsilon", "w": "omega", "om": "omega", "vel": "v", "acc": "a"}
 _ANGLES = ("theta", "phi", "beta", "gamma", "psi")
+_INSTANT = re.compile(r"\s(at|after|when)\s|\bt\s*=")
 _LENGTHS = ("z", "s", "l", "r")
 
 
@@ -159,6 +160,12 @@ def _for_turn(quantity: Quantity, scene: Scene) -> str:
     )
 
 
+def _bodies_with(target: str, scene: Scene) -> list[str]:
+    """The bodies that a point belongs to, or both points of a line."""
+    points = {*(line_ends(target, scene.points) or (target,))}
+    return [body for body, members in scene.bodies.items() if points <= {*members} and body != target]
+
+
 def _proposed(text: str, quantity: Quantity | None, scene: Scene, known: Sequence[str]) -> str:
     """What to ask for in place of a quantity in other letters, or of one that is not quite written so; "" for none."""
     letter, _, target = text.partition("_")
@@ -166,6 +173,10 @@ def _proposed(text: str, quantity: Quantity | None, scene: Scene, known: Sequenc
     own = f"{_OTHERWISE.get(letter, letter)}_{target}"
     if letter in _OTHERWISE and own in known:
         return f"write {own}: angular velocities are omega, angular accelerations epsilon"
+    if _INSTANT.search(text):
+        return "an instant is told by the data: state a law of time in [laws], and the time as a parameter"
+    if letter in ("omega", "epsilon") and (turning := _bodies_with(target, scene)):
+        return f"{target} is no body; its rotation is that of {' or '.join(f'{letter}_{body}' for body in turning)}"
     if quantity is not None and quantity.line and line_ends(quantity.line, scene.points) is None:
         return f"after along_ and across_ stand two points, each a letter or a letter with a number, of: {points}"
     if quantity is not None and quantity.group == "ratio":

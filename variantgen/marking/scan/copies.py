@@ -43,8 +43,7 @@ def decided(readings: Sequence[ScannedAnswer]) -> ScannedAnswer:
         text = clear[0].read.text
         if text and all(text in (own.read.text, *own.others) for own in doubtful):
             return clear[0]
-    shown = (doubtful or clear)[0].read.text
+    shown = next((own for own in reversed(readings) if own.picture), (doubtful or clear)[0])  # what is told is seen
     why = dict.fromkeys([*(one for own in doubtful for one in own.read.why), DIFFER])
-    where = " and ".join(dict.fromkeys(own.where for own in readings))
-    picture = next((own.picture for own in reversed(readings) if own.picture), b"")
-    return ScannedAnswer(where, Confirmed(shown, tuple(why)), picture)
+    where = ", ".join(dict.fromkeys(own.where for own in readings))
+    return ScannedAnswer(where, Confirmed(shown.read.text, tuple(why)), shown.picture)

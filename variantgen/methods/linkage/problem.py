@@ -114,9 +114,9 @@ class Task:
 
     @cached_property
     def size(self) -> float:
-        """Size of the mechanism, in the printed unit of length."""
+        """Size of the mechanism, in the printed unit of length; of a single point its way to the origin, or 1."""
         places = list(self.now.z.values())
-        return max(abs(p - q) for p in places for q in places)
+        return max(abs(p - q) for p in places for q in places) or abs(places[0]) or 1.0
 
     @cached_property
     def largest_speed(self) -> float:

@@ -26,6 +26,7 @@ from variantgen.algebra.expression import (
     Variable,
 )
 from variantgen.algebra.normal_form import simplified
+from variantgen.algebra.values import walk
 from variantgen.families.dimensions import CONSTANTS
 from variantgen.families.expressions import FamilyExpression
 from variantgen.families.units import unit
@@ -68,6 +69,22 @@ def _with_straight_angle(shown: Expression) -> Expression | None:
                 factors = tuple(shown.operands())
                 return simplified(Times((*factors[:place], changed, *factors[place + 1 :])))
     return None
+
+
+def _with_degree_sign(angle: Expression) -> Expression:
+    """The argument of a function with its numbers as degrees: ``1440° t``; as it is where an angle is a factor."""
+    match angle:
+        case Constant(value, ""):
+            return Constant(value, "angle")
+        case Times((Constant(value, ""), *others)) if not any(_is_angle(part) for part in others):
+            return Times((Constant(value, "angle"), *others))
+        case Total(terms):
+            return Total(tuple((sign, _with_degree_sign(term)) for sign, term in terms))
+    return angle
+
+
+def _is_angle(item: Expression) -> bool:
+    return any(isinstance(part, Value) and part.measure == "angle" for part in walk(item))
 
 
 @dataclass(frozen=True)
@@ -118,7 +135,7 @@ class Translator:
             case SquareRoot():
                 return _Part(SquareRoot(parts[0].plain()))
             case Applied("cos" | "sin" | "tan" as function):
-                return _Part(Applied(function, parts[0].in_degrees()))
+                return _Part(Applied(function, _with_degree_sign(simplified(parts[0].in_degrees()))))
         return None
 
     def _name(self, name: str) -> _Part | None:

@@ -14,7 +14,9 @@ from variantgen.mechanism.drivers.circling import Circling
 from variantgen.mechanism.drivers.extension import Extension
 from variantgen.mechanism.drivers.relative_travel import RelativeTravel
 from variantgen.mechanism.drivers.rotation import Rotation
+from variantgen.mechanism.drivers.travel import Travel
 from variantgen.mechanism.linkage import driven_body, driven_point
+from variantgen.mechanism.rows import Constraint
 from variantgen.mechanism.scene import label
 from variantgen.methods.geometry.geometry import Geometry, degrees, normal_angle
 from variantgen.methods.groups.group import PointPath
@@ -26,6 +28,7 @@ from variantgen.methods.vectors.point_paths import on_path
 from variantgen.methods.vectors.points import sum_up
 
 _IN_GROUPS = (Rotation, Extension, RelativeTravel, Circling)  # relative motion: given with a group of the route
+_LEVEL = 1e-9  # of a unit vector
 _REST = 1e-12  # of the natural scale: a vector below it is none
 
 
@@ -43,12 +46,39 @@ def enter_given_motion(book: Book) -> None:
                 book.rates[body] = Rate(value, _sign(book.exact_rate(body)))
             elif (point := driven_point(driver)) and len(driver.shapes()) == 2:
                 book.vectors[point] = _straight(book, template, point)
+            elif point and points.count(point) > 1:
+                _enter_component(book, template, driver, point)
             elif point:
                 _enter_travel(book, template, point)
             elif not isinstance(driver, _IN_GROUPS):
                 raise LookupError(f"no step takes what is given by {label(driver)}")
     if not made.items:
         book.steps.remove(made)
+
+
+def _enter_component(book: Book, template: ComponentTemplate, driver: Constraint, point: str) -> None:
+    """One of two components of a vector, along an axis. Raises LookupError for one that is along no axis."""
+    ray = complex(book.task.scene.frame.direction(driver.angle)) if isinstance(driver, Travel) else 0j
+    axis, way = next(
+        ((n, w) for n, w in (("x", 1 + 0j), ("y", 1j)) if abs((ray * w.conjugate()).imag) < _LEVEL), ("", 0j)
+    )
+    if not axis or not ray:
+        raise LookupError("components of one vector along other directions than the axes")
+    if book.order == 1 and not book.has_said("given.law_coordinates"):
+        book.say("given.law_coordinates", False, point=Point(point))
+    name, source = Name(book.letter, point).component(axis), template.fields.get(book.letter)
+    of_law = isinstance(source, FamilyExpression) and _is_of_law(book, source)
+    stated = book.task.expressed(source) if of_law and isinstance(source, FamilyExpression) else None
+    if stated is None:
+        size = amount(book, template, book.letter, book.measure)
+        way *= _sign((book.exact(point) * way.conjugate()).real)
+    else:
+        size = book.derive(name, book.measure, simplified(stated if (ray * way.conjugate()).real > 0 else -stated))
+    before = book.vectors.get(point, ())
+    angle = book.geometry.stated_angle(None, way)
+    book.vectors[point] = (*before, book.term(name, size, angle, "given", point=Point(point)))
+    if before:
+        sum_up(book, point)
 
 
 def _enter_travel(book: Book, template: ComponentTemplate, point: str) -> None:

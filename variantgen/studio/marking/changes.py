@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 import zipfile
+from dataclasses import replace
 from decimal import Decimal, InvalidOperation
 from pathlib import Path
 from typing import Any
@@ -61,8 +62,7 @@ def take(folder: MarkingFolder, marked: MarkedBuild, incoming: Path, name: str) 
             try:
                 read_answers([trial], FormWords.of(finished.exam))
             except InputError as error:
-                text = str(error).replace(str(trial), name or "table")
-                raise InputError(Problem(text)) from None
+                raise InputError(replace(problem, file=name) for problem in error.problems) from None
         shutil.move(incoming, path)
     finally:
         incoming.unlink(missing_ok=True)

@@ -27,7 +27,7 @@ from variantgen.studio.workspace import Workspace
 class MarkedClass:
     """The marks of a class, with what they were made from; ``doubtful`` are readings that nobody has decided.
 
-    ``faults`` are files that could not be read, with the reason.
+    ``faults`` are the reasons why files could not be read, by their names here.
     """
 
     finished: Finished
@@ -36,7 +36,7 @@ class MarkedClass:
     marked: Marked
     scanned: dict[Question, ScannedAnswer]
     doubtful: dict[Question, ScannedAnswer]
-    faults: dict[str, str]
+    faults: dict[str, VariantgenError]
 
     @property
     def key(self) -> Key:
@@ -72,13 +72,13 @@ class MarkedBuild:
 
     def _computed(self) -> MarkedClass:
         finished = self._finished()
-        policy_file, faults = self._folder.policy(), dict[str, str]()
+        policy_file, faults = self._folder.policy(), dict[str, VariantgenError]()
         policy = finished.exam.marking
         if policy_file is not None:
             try:
                 policy = read_policy_file(policy_file, Key(finished.record).asked)
             except InputError as error:
-                faults[policy_file.name] = _reason(error, policy_file)
+                faults[policy_file.name] = error
         read = ReadAnswers((), ())
         scans: list[Path] = []
         for path in self._folder.every():
@@ -88,7 +88,7 @@ class MarkedBuild:
             try:
                 own = read_answers([path], FormWords.of(finished.exam))
             except InputError as error:
-                faults[path.name] = _reason(error, path)
+                faults[path.name] = error
                 continue
             read = ReadAnswers(
                 (*read.answers, *own.answers),
@@ -102,7 +102,7 @@ class MarkedBuild:
             try:
                 joined = join(finished, read, scans, policy, collected=self._collected(scans, finished, policy))
             except VariantgenError as error:
-                faults[scans[0].name] = _reason(error, scans[0])
+                faults[scans[0].name] = error
             else:
                 read, scanned = joined.answers, dict(joined.scans.answers)
                 doubtful = {asked: one for asked, one in joined.scans.doubtful.items() if asked not in joined.typed}
@@ -122,8 +122,3 @@ class MarkedBuild:
         if self._scans is None or self._scans[0] != version:
             self._scans = version, collect(scans, Key(finished.record, policy.tolerance))
         return replace(self._scans[1], answers=dict(self._scans[1].answers))
-
-
-def _reason(error: VariantgenError, path: Path) -> str:
-    """Why a file cannot be read, without the place where it lies."""
-    return str(error).replace(f"{path}: ", "").replace(str(path), path.name)

@@ -13,7 +13,8 @@ from starlette.routing import Route
 from variantgen.errors import InputError, Problem
 from variantgen.studio.documents.document import Document
 from variantgen.studio.documents.edits import apply, read_operations
-from variantgen.studio.frame import build_command, render
+from variantgen.studio.frame import build_command, language_of, render
+from variantgen.studio.messages import error_text
 from variantgen.studio.preview import class_of
 from variantgen.studio.requests import document_of, number_of, read_json, studio_of, text_of
 from variantgen.studio.studio import Studio
@@ -30,7 +31,7 @@ async def build(request: Request) -> Response:
     try:
         known, fault = students(studio), ""
     except InputError as error:
-        known, fault = 0, str(error)
+        known, fault = 0, error_text(error, language_of(request))
     formats = document.state().data.get("formats", ["pdf"])
     context: dict[str, Any] = {
         "formats": FORMATS,

@@ -17,6 +17,7 @@ from variantgen.studio.catalogue import cards
 from variantgen.studio.documents.document import Document
 from variantgen.studio.documents.edits import plain
 from variantgen.studio.frame import build_command, language_of, part, render
+from variantgen.studio.messages import told
 from variantgen.studio.requests import document_of, number_of, read_json, studio_of, text_of
 from variantgen.studio.summary import summary
 from variantgen.studio.words import page_words
@@ -44,7 +45,7 @@ async def outline(request: Request) -> Response:
     line = f"{words.counted(len(rows), 'problem')} · {words.counted(answers, 'answer')}"
     points = summary(words, studio, document)["compose"]
     html = part(request, "outline", "compose", problems=rows)
-    return JSONResponse({"html": html, "count": len(rows), "line": f"{line} · {points}", **_source(document)})
+    return JSONResponse({"html": html, "count": len(rows), "line": f"{line} · {points}", **_source(document, language)})
 
 
 async def problem(request: Request) -> Response:
@@ -68,7 +69,7 @@ async def check(request: Request) -> Response:
         write_whole(kept, json.dumps({"text": text, "version": version}))
     else:
         kept.unlink(missing_ok=True)
-    return JSONResponse({"mistakes": [vars(mistake) for mistake in found]})
+    return JSONResponse({"mistakes": [told(mistake, language_of(request)) for mistake in found]})
 
 
 async def draft(request: Request) -> Response:
@@ -97,7 +98,7 @@ async def families(request: Request) -> Response:
     return JSONResponse({"families": [{"name": name, "title": title} for name, title in titles.items()]})
 
 
-def _source(document: Document) -> dict[str, Any]:
+def _source(document: Document, language: str) -> dict[str, Any]:
     """The text of the file, its mistakes, and the line at which each problem begins."""
     from variantgen.studio.documents.toml_lines import places
 
@@ -108,7 +109,7 @@ def _source(document: Document) -> dict[str, Any]:
         "text": state.text,
         "version": state.version,
         "lines": lines,
-        "mistakes": [vars(mistake) for mistake in document.mistakes()],
+        "mistakes": [told(mistake, language) for mistake in document.mistakes()],
     }
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from typing import TYPE_CHECKING
 
 from starlette.background import BackgroundTask
@@ -14,6 +15,7 @@ from starlette.routing import Route
 from variantgen.errors import InputError, Problem
 from variantgen.studio.builds import FinishedBuild
 from variantgen.studio.frame import command, language_of, part, render
+from variantgen.studio.messages import error_text
 from variantgen.studio.pages.archive import run_command
 from variantgen.studio.preview import KINDS
 from variantgen.studio.requests import document_of, number_of, read_json, save_upload, studio_of, text_of
@@ -191,8 +193,13 @@ def _listing(request: Request, folder: MarkingFolder, found: MarkedClass, langua
     words = Words(found, language)
     students = queue(found, words)
     names = folder.names()
+    faults = {name: error_text(error, language) for name, error in found.faults.items()}
     files = [
-        {"file": path.name, "name": names.get(path.name, path.name), "fault": found.faults.get(path.name, "")}
+        {
+            "file": path.name,
+            "name": names.get(path.name, path.name),
+            "fault": faults.get(path.name, "").replace(f"{path}: ", ""),
+        }
         for path in folder.brought()
     ]
     handed_in = sum(bool(one["handed_in"]) for one in students)
@@ -201,7 +208,7 @@ def _listing(request: Request, folder: MarkingFolder, found: MarkedClass, langua
         "students": students,
         "questions": questions(found),
         "files": files,
-        "fault": found.faults.get("policy.toml", ""),
+        "fault": faults.get("policy.toml", "").replace(f"{folder.path}{os.sep}", ""),
         "left": len(found.marked.not_matched),
         "doubts": len(found.doubtful),
         "handed_in": handed_in,

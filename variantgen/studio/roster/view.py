@@ -9,6 +9,7 @@ from variantgen.exam.manifest import Manifest, read_manifest
 from variantgen.exam.roster import Student
 from variantgen.finished.late import Changes, changes
 from variantgen.studio.documents.document import Document
+from variantgen.studio.messages import error_text
 from variantgen.studio.roster.students import ANSWERS, ClassReading, read_students
 from variantgen.studio.roster.table import KINDS, ClassTable, Tab, file_hash
 from variantgen.studio.studio import Studio
@@ -41,7 +42,7 @@ def look(studio: Studio, document: Document, place: int, language: str) -> dict[
     try:
         table, fault = studio.class_tables.current(), ""
     except InputError as error:
-        table, fault = None, str(error)
+        table, fault = None, error_text(error, language)
     if table is None:
         return {"table": None, "fault": fault}
     record = last_build(studio, document)

@@ -103,6 +103,8 @@ class Formulas:
                 return self._value(item) if numbers else self.symbol(item)
             case Constant(value, measure):
                 degrees = measure == "angle"
+                if not degrees and (whole := as_fraction(Decimal(repr(value)))) is not None:
+                    return Fraction(self.number(whole.numerator), self.number(whole.denominator))
                 return Measured(self.number(value), self.language.unit(unit("deg"))) if degrees else self.number(value)
             case Pi():
                 return Symbol("pi")

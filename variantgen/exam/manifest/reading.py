@@ -2,74 +2,32 @@
 
 from __future__ import annotations
 
-import json
-from collections.abc import Mapping
-from dataclasses import dataclass, field, fields
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from decimal import Decimal
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
 from variantgen.errors import InputError, Problem
-from variantgen.exam import printable
 from variantgen.exam.exam_file import Exam
+from variantgen.exam.manifest.recorded_sheets import RecordedSheet, read_sheet
+from variantgen.exam.manifest.streamed_json import entries
 from variantgen.exam.named_families import read_recorded
-from variantgen.exam.roster import Student
-from variantgen.exam.sheets import is_code
 from variantgen.exam.tolerance import LARGEST, Tolerance
 from variantgen.families.files import family_hash
-from variantgen.methods.hand.work import Work
 from variantgen.resources import folder_hash, templates_dir
-from variantgen.tables import Table, read_limited
+from variantgen.tables import Table
 from variantgen.version import VERSION
 
 SCHEMA = 2
 NAME = "manifest.json"
-_MAX_BYTES = 2_000_000_000
+_STUDENTS = "students"
 _WORDS = {
     "program": "the version of variantgen",
     "engine": "the version of the typesetting engine",
     "templates": "the templates of the program",
 }
-
-
-@dataclass(frozen=True)
-class RecordedAnswer:
-    """An answer of the key: the name of its quantity, value and tolerance in the unit of that name."""
-
-    quantity: str
-    value: float
-    unit: str
-    tolerance: float
-
-
-@dataclass(frozen=True)
-class RecordedProblem:
-    """A variant as it was handed out; ``parameters`` are printed values with their units, or words with none."""
-
-    number: int
-    family: str
-    form: str
-    parameters: Mapping[str, tuple[str, str]]
-    mirrored: bool
-    quarter_turns: int
-    attempt: int
-    answers: tuple[RecordedAnswer, ...]
-    work: Work | None = None
-
-    @property
-    def problem_type(self) -> str:
-        """The family with its form: ``four_bar crank``."""
-        return f"{self.family} {self.form}".strip()
-
-
-@dataclass(frozen=True)
-class RecordedSheet:
-    """The sheet of a student as it is recorded."""
-
-    student: Student
-    code: str
-    problems: tuple[RecordedProblem, ...]
 
 
 @dataclass(frozen=True)
@@ -120,20 +78,32 @@ def made_with(exam: Exam) -> dict[str, str]:
 
 
 def read_manifest(folder: Path) -> Manifest:
-    """The manifest of an output folder. Raises InputError with every problem found."""
+    """The manifest of an output folder. Raises InputError with every problem found.
+
+    It is read student by student, and what is kept of each is small (see :class:`.recorded_sheets.PackedProblems`).
+    """
     path = folder / NAME
     problems: list[Problem] = []
-    record = _manifest(Table(_json(path), "", problems), path)
-    if problems:
+    of_sheets: list[Problem] = []
+    head, sheets = _read(path, of_sheets)
+    record = _manifest(Table(head, "", problems), sheets, path)
+    if problems := [*problems, *(of_sheets if head.get("schema") == SCHEMA else ())]:
         raise InputError(problem.located(str(path)) for problem in problems)
     return record
 
 
-def _json(path: Path) -> Any:
+def _read(path: Path, problems: list[Problem]) -> tuple[dict[str, Any], list[RecordedSheet]]:
+    """All but the students as plain data, and the sheets; what is wrong with these is noted."""
     if path.exists() and not path.is_file():
         raise InputError(Problem("expected a file", file=str(path), remedy="restore the manifest from a copy"))
+    head: dict[str, Any] = {}
+    sheets: list[RecordedSheet] = []
     try:
-        return json.loads(read_limited(path, _MAX_BYTES), parse_float=Decimal, parse_constant=Decimal)
+        with path.open(encoding="utf-8-sig") as file:
+            for key, number, value in entries(file, _STUDENTS):
+                if number:
+                    sheets.append(read_sheet(Table(value, f"{_STUDENTS}[{number}]", problems)))
+                head[key] = value if not number else []
     except FileNotFoundError:
         remedy = "name the folder that  variantgen build  has made"
         raise InputError(Problem("there is no manifest", file=str(path), remedy=remedy)) from None
@@ -142,9 +112,10 @@ def _json(path: Path) -> Any:
     except (ValueError, ArithmeticError, RecursionError) as error:
         remedy = "it has been changed since the build; restore it from a copy"
         raise InputError(Problem(f"is not valid JSON: {error}", file=str(path), remedy=remedy)) from None
+    return head, sheets
 
 
-def _manifest(top: Table, path: Path) -> Manifest:
+def _manifest(top: Table, sheets: Sequence[RecordedSheet], path: Path) -> Manifest:
     schema = top.need("schema", int, SCHEMA)
     if schema != SCHEMA:
         top.problem(
@@ -154,6 +125,7 @@ def _manifest(top: Table, path: Path) -> Manifest:
     exam = top.table("exam")
     solutions = top.table("solutions") if top.data.get("solutions") is not None else None
     top.expect("solutions", "program", "notation")
+    top.tables(_STUDENTS)
     return Manifest(
         path,
         _strings(top.table("made_with")),
@@ -162,7 +134,7 @@ def _manifest(top: Table, path: Path) -> Manifest:
         _strings(solutions) if solutions else None,
         top.strings("formats"),
         top.need("seed", str, ""),
-        tuple(_sheet(table) for table in top.tables("students")),
+        tuple(sheets),
         _strings(top.table("files")),
         exam.take("id", str, ""),
         _tolerance(exam),
@@ -207,15 +179,6 @@ def _is_span(value: object) -> bool:
     return isinstance(value, list) and len(value) == 2 and all(type(number) is int for number in value)
 
 
-def _work(table: Table) -> Work | None:
-    """The work of a variant; None where it is not recorded."""
-    if not table.data:
-        return None
-    found = Work(*(table.need(part.name, int, 0) for part in fields(Work)))
-    table.finish()
-    return found
-
-
 def _floors(table: Table) -> dict[int | None, float]:
     """The least tolerances of problems with one of their own, by their numbers."""
     return {int(name): _floor(table, name) for name in table.data if name.isascii() and name.isdigit()}
@@ -232,62 +195,3 @@ def _floor(table: Table, name: str, usual: float = Tolerance().floor) -> float:
 
 def _strings(table: Table) -> dict[str, str]:
     return {name: table.take(name, str, "") for name in table.data}
-
-
-def _sheet(table: Table) -> RecordedSheet:
-    student = Student(*(_name(table, key) for key in ("id", "name", "group")))
-    problems = tuple(_problem(problem) for problem in table.tables("problems"))
-    code = table.need("code", str, "")
-    if not is_code(code):
-        table.problem("expected the code of a sheet, like 7Q4-K2M: files are named by it", "code", code)
-    found = RecordedSheet(student, code, problems)
-    table.finish()
-    return found
-
-
-def _name(table: Table, key: str) -> str:
-    """A name as class lists have it: nothing in it that cannot be seen."""
-    text = table.need(key, str, "")
-    table.problems += printable.problems(text, f"the {key}", table.key(key))
-    return text
-
-
-def _problem(table: Table) -> RecordedProblem:
-    pose = table.table("pose")
-    parameters = table.table("parameters")
-    turns = pose.need("quarter_turns", int, 0)
-    if turns not in range(4):
-        pose.problem("expected 0 to 3", "quarter_turns", turns)
-    found = RecordedProblem(
-        table.need("problem", int, 0),
-        table.need("family", str, ""),
-        table.need("form", str, ""),
-        {name: _value(parameters.table(name)) for name in parameters.data},
-        pose.need("mirrored", bool, False),
-        turns,
-        table.need("attempt", int, 1),
-        tuple(_answer(answer) for answer in table.tables("answers")),
-        _work(table.table("work")),
-    )
-    table.expect("nice", "methods")
-    table.finish()
-    pose.finish()
-    return found
-
-
-def _value(table: Table) -> tuple[str, str]:
-    found = table.need("value", str, ""), table.take("unit", str, "")
-    table.finish()
-    return found
-
-
-def _answer(table: Table) -> RecordedAnswer:
-    found = RecordedAnswer(
-        table.need("quantity", str, ""),
-        float(table.number("value", 0)),
-        table.need("unit", str, ""),
-        float(table.number("tolerance", 0)),
-    )
-    table.expect("relative_tolerance", "unnoticed")
-    table.finish()
-    return found
