@@ -13,10 +13,11 @@ from variantgen.families.quantities import Quantity, parse_quantity
 from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import Drawing
 from variantgen.mechanism.motion import Motion
+from variantgen.resources import languages
 from variantgen.variants.draw import FamilySampler as VariantDrawing
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import letters, to_plain
-from variantgen.wording.language import Language, languages, load_language
+from variantgen.wording.language import Language, load_language
 
 SEEDS = 3
 COMPASS = ("e", "ene", "ne", "nne", "n", "nnw", "nw", "wnw", "w", "wsw", "sw", "ssw", "s", "sse", "se", "ese")

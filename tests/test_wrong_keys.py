@@ -11,8 +11,7 @@ import pytest
 from variantgen.check import Report, check_family
 from variantgen.check.vocabulary import vocabulary
 from variantgen.cli import main
-from variantgen.resources import catalog_dir
-from variantgen.wording.language import languages
+from variantgen.resources import catalog_dir, languages
 
 SEEDS = 8
 

@@ -12,9 +12,10 @@ import pytest
 from tests.described_figures import COMPASS, DescribedFigure, asked_together, described_figures, pattern, words_of
 from variantgen.families.folders import family_names
 from variantgen.mechanism.component import discover
+from variantgen.resources import languages
 from variantgen.variants.printed_data import shown_points
 from variantgen.wording.formula import SymbolProperty, letters, to_plain
-from variantgen.wording.language import languages, load_language
+from variantgen.wording.language import load_language
 
 FAMILIES = family_names()
 KINDS = [*discover("variantgen.mechanism.joints"), *discover("variantgen.mechanism.drivers")]

@@ -18,11 +18,12 @@ from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import Arc, Drawing, Label, Layer
 from variantgen.figure.faults import figure_faults, inspect_labels, leaders
 from variantgen.mechanism.drivers.rotation import Rotation
+from variantgen.resources import languages
 from variantgen.variants.draw import FamilySampler as VariantDrawing
 from variantgen.variants.printed_data import given_names
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Formula, to_plain, to_typst
-from variantgen.wording.language import languages, load_language
+from variantgen.wording.language import load_language
 from variantgen.wording.notation import Notation
 from variantgen.wording.statement import statement
 

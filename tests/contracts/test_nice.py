@@ -18,12 +18,13 @@ from variantgen.families.restrict import restrict
 from variantgen.figure.build import statement_figure
 from variantgen.figure.faults import figure_faults
 from variantgen.mechanism.motion import Motion
+from variantgen.resources import languages
 from variantgen.variants.attempts import FormSampler
 from variantgen.variants.batch import RejectionCounts
 from variantgen.variants.draw import FamilySampler, draw
 from variantgen.variants.seeding import Stream
 from variantgen.variants.variant import Variant, solve_variants
-from variantgen.wording.language import languages, load_language
+from variantgen.wording.language import load_language
 from variantgen.wording.statement import statement
 
 FORMS = [(name, form) for name in family_names() for form in load_family(name).forms]

@@ -19,6 +19,7 @@ from variantgen.figure.lettering import typeset
 from variantgen.figure.placement.label_requests import label_size
 from variantgen.outputs.typst.glyph_table import table
 from variantgen.outputs.typst.typesetter import typesetter
+from variantgen.resources import languages
 from variantgen.variants.draw import FamilySampler as Draws
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.formula import (
@@ -34,7 +35,7 @@ from variantgen.wording.formula import (
     to_plain,
     to_typst,
 )
-from variantgen.wording.language import languages, load_language
+from variantgen.wording.language import load_language
 
 # What the figures of plans need besides the letters of the catalogue, and what is set by rules of its own.
 FURTHER = [

@@ -11,10 +11,11 @@ import pytest
 from tests.figure.reading import FORMS
 from variantgen.exam.solution_figures import STATEMENT, SolutionFigures, view_order
 from variantgen.methods.solution_options import SolutionOptions
+from variantgen.resources import languages
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.formula import Measured, to_plain
-from variantgen.wording.language import languages, load_language
+from variantgen.wording.language import load_language
 from variantgen.wording.solution.document import FormulaLine, FormulaLines, Paragraph, SolutionText, VectorTable
 from variantgen.wording.solution.explain import explain
 from variantgen.wording.text import Text

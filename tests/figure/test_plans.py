@@ -24,10 +24,11 @@ from variantgen.figure.views import acceleration_plan, velocity_plan
 from variantgen.mechanism.drivers.extension import Extension
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.outcome import Outcome
+from variantgen.resources import languages
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Measured, to_plain
-from variantgen.wording.language import languages, load_language
+from variantgen.wording.language import load_language
 
 EN = load_language("en")
 SEEDS = 3

@@ -16,7 +16,8 @@ from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solution.book import Book
 from variantgen.methods.solution_options import SolutionOptions
 from variantgen.methods.steps.step import ProgramListing
-from variantgen.wording.language import languages, load_language
+from variantgen.resources import languages
+from variantgen.wording.language import load_language
 from variantgen.wording.solution.document import Program
 from variantgen.wording.solution.explain import explain
 from variantgen.wording.solution.phrases import load_phrases

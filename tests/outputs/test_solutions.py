@@ -12,7 +12,7 @@ import pytest
 from tests.pdf_text import page_texts
 from variantgen.cli import main
 from variantgen.figure.views import view_names
-from variantgen.wording.language import languages
+from variantgen.resources import languages
 from variantgen.wording.solution.phrases import load_phrases
 
 HEAD = 'title = "Quiz"\nlanguage = "en"\nseed = "s"\n'

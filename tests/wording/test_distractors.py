@@ -8,10 +8,11 @@ import pytest
 
 from tests.solved_cases import every_case, quantities, variant_of
 from variantgen.families.draw_rules import frame
+from variantgen.resources import languages
 from variantgen.variants.distractors import wrong_answers
 from variantgen.variants.variant import parameter_arrays, solve_variants
 from variantgen.wording.distractors import mistake_text
-from variantgen.wording.language import languages, load_language
+from variantgen.wording.language import load_language
 
 
 @pytest.mark.parametrize(

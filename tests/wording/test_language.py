@@ -11,8 +11,9 @@ from hypothesis import strategies as st
 from variantgen.families.quantities import Quantity
 from variantgen.families.units import UNITS
 from variantgen.outputs.documents.sheet_data import points_text
+from variantgen.resources import languages
 from variantgen.wording.formula import Equation, Measured, Symbol, to_plain, to_typst
-from variantgen.wording.language import languages, load_language, round_text
+from variantgen.wording.language import load_language, round_text
 from variantgen.wording.plurals import plural_category
 
 EN, RU = load_language("en"), load_language("ru")

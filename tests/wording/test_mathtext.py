@@ -11,8 +11,9 @@ from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
 from variantgen.families.units import UNITS
 from variantgen.outputs.single.motion_plot import STYLE
+from variantgen.resources import languages
 from variantgen.wording.formula import Equation, Formula, Index, Measured, Number, Symbol, SymbolProperty, UnitText
-from variantgen.wording.language import languages, load_language
+from variantgen.wording.language import load_language
 from variantgen.wording.mathtext import to_mathtext
 
 EXAMPLES: list[tuple[Formula, str]] = [

@@ -6,8 +6,7 @@ import re
 
 import pytest
 
-from variantgen.resources import templates_dir
-from variantgen.wording.language import languages
+from variantgen.resources import languages, templates_dir
 from variantgen.wording.solution.phrases import Letter, Phrases, SentenceField, cut, load_phrases
 
 
