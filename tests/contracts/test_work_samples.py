@@ -13,7 +13,7 @@ from variantgen.exam import work_samples
 from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.exam.kept_work import KEPT, WorkSample
 from variantgen.exam.tolerance import Tolerance
-from variantgen.exam.work_samples import catalogue_forms, kept_line, work_sample
+from variantgen.exam.work_samples import kept_forms, kept_line, work_sample
 from variantgen.families.asking import read_ask
 from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
@@ -31,11 +31,11 @@ SOME = [
 ]
 
 
-def test_each_form_of_the_catalogue_has_its_samples() -> None:
+def test_each_form_of_the_catalogue_and_of_its_exams_has_its_samples() -> None:
     drawn: list[object] = []
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(work_samples, "drawn_sample", lambda *a: drawn.append((a[0].name, a[1].name)))
-        forms = list(catalogue_forms())
+        forms = kept_forms()
         for family, form, asked in forms:
             work_sample(family, form, asked, AnswerTolerances())
     assert not drawn, MADE_BY
@@ -44,7 +44,7 @@ def test_each_form_of_the_catalogue_has_its_samples() -> None:
 
 @pytest.mark.parametrize("name", SOME)
 def test_a_sample_drawn_anew_is_the_kept_one(name: str) -> None:
-    family, form, asked = next(own for own in catalogue_forms() if f"{own[0].name} {own[1].name}".strip() == name)
+    family, form, asked = next(own for own in kept_forms() if f"{own[0].name} {own[1].name}".strip() == name)
     line = kept_line(family, form, asked)
     assert line in [kept.rstrip(",") for kept in LINES], MADE_BY
 

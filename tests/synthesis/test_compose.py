@@ -10,6 +10,7 @@ import pytest
 
 from variantgen.check.family import check_family
 from variantgen.cli.app import main
+from variantgen.errors import InputError
 from variantgen.exam import composed_pools
 from variantgen.families.asking import read_ask
 from variantgen.families.cases import load_cases
@@ -171,14 +172,35 @@ def test_it_has_the_structure_that_it_was_made_for(made: Path) -> None:
     assert parse_code("RPR01-RRR23") in structures_of(form.sample)
 
 
+def test_a_wheel_rolls_at_the_end(tmp_path: Path) -> None:
+    """Its centre moves as a slider would, and it turns by v over r: by hand, from what the key says."""
+    folder = tmp_path / "wheel"
+    assert main(["compose", "--groups", "RRR,RRW", "--seed", "3", "--out", str(folder)]) == 0
+    family = load_family(folder)
+    form = next(iter(family.forms.values()))
+    assert parse_code(family.source.rpartition(" ")[2]) in structures_of(form.sample)
+    variant = draw(family, None, [("wheel", 1)])[0]
+    motion = variant.motion()
+    centre = form.bodies["wheel1"][0]
+    radius = float(variant.printed["r"]) / 100
+    assert abs(motion.omega["wheel1"][0]) * radius == pytest.approx(abs(motion.v[centre][0]), rel=1e-9)
+    assert motion.v[centre][0].imag == pytest.approx(0, abs=1e-12)
+
+
+@pytest.mark.parametrize("text", ["RRW01", "RRW12", "RRW10-RRR02-RRR30", "RRR01-RRW20-RPR50"])
+def test_a_wheel_hangs_on_a_rod_and_carries_nothing(text: str) -> None:
+    with pytest.raises(InputError, match="code of a structure"):
+        parse_code(text)
+
+
 def test_structures_are_listed_and_drawn(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["list", "--structures"]) == 0
     lines = capsys.readouterr().out.splitlines()
-    assert len(lines) == 6 + 68
+    assert len(lines) == 6 + 68 + 9  # those that end with a rolling wheel in the place of a slider
     assert next(line for line in lines if line.startswith("RRR01 ")).split()[1:4] == ["easy", "four_bar", "crank,"]
     page = tmp_path / "structures.html"
     assert main(["list", "--structures", "--links", "3", "--figure", str(page)]) == 0
-    assert page.read_text("utf-8").count("<svg") == 6
+    assert page.read_text("utf-8").count("<svg") == 6 + 1
     assert main(["list", "--structures", "--figure", str(tmp_path / "page.png")]) == 2
 
 

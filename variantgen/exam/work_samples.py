@@ -19,6 +19,7 @@ from typing import Any
 
 from variantgen.errors import InputError, VariantgenError
 from variantgen.exam.answer_tolerances import AnswerTolerances
+from variantgen.exam.exam_file import read_exam
 from variantgen.exam.kept_work import KEPT, SAMPLE, WorkSample, kept_samples
 from variantgen.exam.wanted_work import level_of
 from variantgen.families.asking import read_ask
@@ -31,6 +32,7 @@ from variantgen.mechanism.motion import Motion
 from variantgen.methods.hand.work import Work, work_of
 from variantgen.methods.linkage.problem import task_of
 from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
+from variantgen.resources import catalog_dir
 from variantgen.variants.attempts import FormSampler, VerificationError
 from variantgen.variants.batch import RejectionCounts
 from variantgen.variants.examined import examined
@@ -109,6 +111,20 @@ def catalogue_forms() -> Iterator[tuple[Family, Form, list[Quantity]]]:
                 yield family, form, examined(form, asked)
 
 
+def exam_forms() -> Iterator[tuple[Family, Form, list[Quantity]]]:
+    """The forms of the exams of the catalogue with their ranges and questions."""
+    for path in sorted((catalog_dir() / "exams").glob("*.toml")):
+        for task in read_exam(path).tasks:
+            for family in task.families:
+                for form in family.forms.values():
+                    yield family, form, examined(form, read_ask(form, task.ask))
+
+
+def kept_forms() -> list[tuple[Family, Form, list[Quantity]]]:
+    """All forms of which a sample is kept, each once: those of the catalogue, then those of its exams."""
+    return list({_key(*form, AnswerTolerances()): form for form in (*catalogue_forms(), *exam_forms())}.values())
+
+
 def kept_line(family: Family, form: Form, asked: Sequence[Quantity]) -> str:
     """A line of the file, with a new sample."""
     screening = AnswerTolerances()
@@ -126,7 +142,7 @@ def kept_line(family: Family, form: Form, asked: Sequence[Quantity]) -> str:
 
 def main() -> None:
     """Write the file."""
-    lines = [kept_line(*found) for found in catalogue_forms()]
+    lines = [kept_line(*found) for found in kept_forms()]
     KEPT.write_text("[\n" + ",\n".join(lines) + "\n]\n", "utf-8")
     sys.stderr.write(f"{len(lines)} samples in {KEPT}\n")
 

@@ -16,6 +16,7 @@ Bar: TypeAlias = tuple[str, str]
 _SMALLEST = 80.0  # cm: while the first links are laid out, the mechanism counts as large as this
 _APART, _CLEAR, _BASE = 0.09, 0.06, 1.5  # of hinges; of a hinge from a foreign link; more of a fixed one: sizes
 _FOLDED, _STRAIGHT = 18, 10  # degrees between two links at a common hinge, and from one straight line
+_OFF_WHEEL = 1.4  # radii of a wheel that others keep from its centre
 _MARGIN = 0.2  # of its guide, at each end, that a block keeps clear
 _RATIO = 4.0  # longest over shortest length
 _LONGEST, _LARGEST = 3.2, 300.0  # longer over shorter side of the whole; cm
@@ -23,7 +24,7 @@ _LONGEST, _LARGEST = 3.2, 300.0  # longer over shorter side of the whole; cm
 
 def crowded(draft: Draft) -> str:
     """What is too near to what, or crosses it; nothing where the figure is clear."""
-    return _near(draft) or _on_bars(draft) or _bars(draft) or _blocks(draft) or _lengths(draft)
+    return _near(draft) or _on_bars(draft) or _on_wheels(draft) or _bars(draft) or _blocks(draft) or _lengths(draft)
 
 
 def too_long(draft: Draft) -> str:
@@ -61,6 +62,19 @@ def _on_bars(draft: Draft) -> str:
             need = _CLEAR * (_BASE if name in draft.pivots else 1.0)
             if _off_bar(draft, name, bar) < need * _size(draft):
                 return f"{name} on {bar[0]}{bar[1]}"
+    return ""
+
+
+def _on_wheels(draft: Draft) -> str:
+    """A link or a point in the way of a wheel."""
+    for centre, rim in draft.wheels:
+        need = _OFF_WHEEL * draft.distance(centre, rim)
+        for bar in draft.bars:
+            if centre not in bar and _off_bar(draft, centre, bar) < need:
+                return f"{bar[0]}{bar[1]} on the wheel"
+        for name in _visible(draft):
+            if name not in (centre, rim) and draft.distance(centre, name) < need:
+                return f"{name} on the wheel"
     return ""
 
 

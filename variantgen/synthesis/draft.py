@@ -11,6 +11,7 @@ from variantgen.synthesis.chance import Chance
 
 LETTERS = "ABCDEFGHKLMNQ"  # of moving points in the order of growth; P is the centre of velocities
 ANGLES = ("beta", "gamma", "delta", "psi", "theta")  # alpha is an angular acceleration in English
+WHEEL = "wheel1"  # the body of a rolling wheel
 _LENGTH_STEP, _ANGLE_STEP = 2, 5  # cm, degrees
 Facts: TypeAlias = dict[str, str]
 Component: TypeAlias = tuple[str, dict[str, Any]]
@@ -76,6 +77,7 @@ class Draft:
     hints: dict[str, list[Any]] = field(default_factory=dict)
     inside: list[tuple[str, str, str]] = field(default_factory=list)
     bars: list[tuple[str, str]] = field(default_factory=list)
+    wheels: list[tuple[str, str]] = field(default_factory=list)  # centre, point on the rim
     sentences: list[tuple[str, Facts]] = field(default_factory=list)
     position: list[tuple[str, Facts]] = field(default_factory=list)
     asked: list[list[str]] = field(default_factory=list)

@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from variantgen.synthesis.attachments import hinge_on, line_on
 from variantgen.synthesis.directions import between, off_line, way
-from variantgen.synthesis.draft import Attachment, Draft, LayoutError, Link
+from variantgen.synthesis.draft import WHEEL, Attachment, Datum, Draft, LayoutError, Link
 from variantgen.synthesis.dyad_parts import (
     FIXED,
     LEAST,
@@ -124,6 +124,32 @@ def _fixed_guide(draft: Draft, links: tuple[int, int], dyad: AssurGroup) -> None
     draft.asked.append([f"v_{slider}", f"omega_{at.point}{slider}"])
 
 
+def _rod_and_wheel(draft: Draft, links: tuple[int, int], dyad: AssurGroup, _: dict[int, str]) -> None:
+    """RRW: a rod and the wheel at its end, which rolls on a horizontal line."""
+    at = hinge_on(draft, dyad.on, dyad.to)
+    centre = draft.letter()
+    rod = draft.length(at.point, centre, draft.rng.choice(RODS))
+    angle, fields, said = way(draft, at.point, centre, at.towards, 0.25)
+    draft.polar(centre, at.point, rod, angle, fields)
+    draft.position += said
+    if off_line(angle, 0) > 90 - LEAST:
+        raise LayoutError("a dead point is near")
+    if (draft.z[centre] - draft.z[at.point]).imag > 0:
+        raise LayoutError("the rod comes from below the line")
+    draft.data["r"] = Datum("cm", draft.rng.choice((16, 18, 20)), 2, 2)
+    draft.polar("P", centre, "r", -90, {"angle": "-90*deg"})
+    draft.joint("rolling", body=WHEEL, centre=centre, contact="P")
+    draft.bodies[WHEEL] = [centre, "P"]
+    draft.symbols[WHEEL] = "1"
+    draft.wheels.append((centre, "P"))
+    draft.hint("hidden", "P")  # and its radius is given
+    draft.hint("discs", {"centre": centre, "radius": "r", "name": "r", "body": WHEEL})
+    draft.bar(links[0], "rod", at.point, centre)
+    draft.links[links[1]] = Link(centre, noun="wheel")
+    draft.sentences.append(("rod_and_wheel", {"rod": at.point + centre, "point": centre} | facts_of(at)))
+    draft.asked.append([f"v_{centre}", f"omega_{WHEEL}", f"omega_{at.point}{centre}"])
+
+
 def _through_pivot(draft: Draft, at: Attachment, slider: str, rod: str, guide: int) -> None:
     """A slider whose line of motion passes through the axis of the crank."""
     u = 1j if guide else 1
@@ -188,6 +214,7 @@ def _rocker_with_block(draft: Draft, links: tuple[int, int], dyad: AssurGroup) -
 _PLACING: dict[str, Callable[[Draft, tuple[int, int], AssurGroup, dict[int, str]], None]] = {
     "RRR": _two_rods,
     "RRP": _rod_and_slider,
+    "RRW": _rod_and_wheel,
     "RPR": collar,
     "PRP": two_guides,
     "RPP": yoke,

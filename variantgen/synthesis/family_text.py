@@ -47,7 +47,8 @@ def family_text(
         lines.append(f"inside = {_value([list(item) for item in draft.inside])}")
     if draft.require:
         lines.append(f"require = {_value(draft.require)}")
-    lines += ["", "[pose]", "mirror = true", "quarter_turns = [0, 2]", "", "[figure]"]
+    turns = "[0]" if draft.wheels else "[0, 2]"  # wheels roll on what is below them
+    lines += ["", "[pose]", "mirror = true", f"quarter_turns = {turns}", "", "[figure]"]
     lines.append(f"angles = [{', '.join(_inline(mark) for mark in draft.marks)}]")
     for key, values in draft.hints.items():
         lines.append(f"{key} = [{', '.join(_value(value) for value in values)}]")

@@ -3,7 +3,16 @@
 from __future__ import annotations
 
 from variantgen.errors import InputError, Problem
-from variantgen.synthesis.structures import FRAME, KINDS, Structure, moving_links, sliding_pairs, textbook_structures
+from variantgen.synthesis.structures import (
+    FRAME,
+    KINDS,
+    ROLLING,
+    Structure,
+    moving_links,
+    rolling_structures,
+    sliding_pairs,
+    textbook_structures,
+)
 
 LEVELS = ("easy", "medium", "hard")
 
@@ -27,18 +36,21 @@ def chosen_structures(groups: tuple[str, ...], links: int | None) -> list[Struct
     are named). Raises InputError for what is unknown, and where there is no such structure.
     """
     problems = [
-        Problem("unknown dyad", key="groups", value=kind, remedy="one of " + ", ".join(KINDS))
+        Problem("unknown dyad", key="groups", value=kind, remedy="one of " + ", ".join((*KINDS, ROLLING)))
         for kind in groups
-        if kind not in KINDS
+        if kind not in (*KINDS, ROLLING)
     ]
     if links is not None and links not in (3, 5, 7):
         problems.append(Problem("expected 3, 5 or 7 moving links", key="links", value=str(links)))
     if problems:
         raise InputError(problems)
     most = links or (7 if len(groups) > 2 else 5)
+    known = textbook_structures(most, groups or KINDS)
+    if ROLLING in groups:  # the rolling wheel takes the place of a slider
+        known = rolling_structures(most, tuple(dict.fromkeys(["RRP", *groups])) if len(groups) > 1 else KINDS)
     found = [
         structure
-        for structure in textbook_structures(most, groups or KINDS)
+        for structure in known
         if set(groups) <= {dyad.kind for dyad in structure} and (links is None or moving_links(structure) == links)
     ]
     if not found:

@@ -8,10 +8,11 @@ from itertools import product
 from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.mechanism.joints.guide import Guide
 from variantgen.mechanism.joints.pivot import Pivot
+from variantgen.mechanism.joints.rolling import Rolling
 from variantgen.mechanism.joints.slot import Slot
 from variantgen.mechanism.joints.translation import Translation
 from variantgen.mechanism.scene import Scene
-from variantgen.synthesis.structures import CRANK, FRAME, KINDS, AssurGroup, Structure, normal
+from variantgen.synthesis.structures import CRANK, FRAME, KINDS, ROLLING, AssurGroup, Structure, normal
 
 _Pair = tuple[str, str, str]  # letter of the joint, two links
 _FRAME = "(frame)"
@@ -23,7 +24,7 @@ def structures_of(scene: Scene) -> set[Structure]:
     None where it is not driven by one crank, has other joints than hinges and straight slides, or other groups than
     dyads.
     """
-    if any(not isinstance(joint, Pivot | Guide | Slot | Translation) for joint in scene.joints):
+    if any(not isinstance(joint, Pivot | Guide | Slot | Translation | Rolling) for joint in scene.joints):
         return set()
     driver = scene.drivers[0] if len(scene.drivers) == 1 else None
     if not isinstance(driver, Rotation) or driver.relative_to is not None:
@@ -33,6 +34,8 @@ def structures_of(scene: Scene) -> set[Structure]:
     for place, joint in enumerate(scene.joints):
         if isinstance(joint, Guide):
             slides.append(("P", _slider(pins, joint.point, f"slider {place}", still), _FRAME))
+        elif isinstance(joint, Rolling):
+            slides.append(("W", joint.body, joint.on or _FRAME))
         elif isinstance(joint, Slot):
             alike = still - {joint.body} if joint.body in still else set[str]()
             block = joint.sleeve or _slider(pins, joint.point, f"block {place}", alike)
@@ -112,5 +115,5 @@ def _dyads(joints: Sequence[_Pair], known: dict[str, int]) -> Iterator[tuple[Ass
             if first in known or second in known or any(len(end) != 1 for end in ends):
                 continue
             kind = ends[0][0][0] + letter + ends[1][0][0]
-            if kind in KINDS:
+            if kind in (*KINDS, ROLLING):
                 yield AssurGroup(kind, ends[0][0][1], ends[1][0][1]), first, second

@@ -3,7 +3,8 @@
 Link 0 is the frame, link 1 the crank (hinged to the frame), and the dyad number k has the links 2k and 2k + 1. A dyad
 has an outer joint on an earlier link at either end and an inner joint between its own two links; its kind names them in
 this order, R for a hinge and P for a sliding pair: ``RRP`` on the links 1 and 0 is the rod and the slider of a
-slider-crank mechanism. All joints are simple: each connects two links.
+slider-crank mechanism. All joints are simple: each connects two links. At the end of a mechanism a wheel that rolls on
+the frame may take the place of a slider there: ``RRW``.
 
 A driven mechanism falls into its dyads in one way only, so two structures are the same if one order of their growth
 is; the code is the smallest of all orders.
@@ -19,10 +20,11 @@ from typing import NamedTuple, TypeAlias
 from variantgen.errors import InputError, Problem
 
 KINDS = ("RRR", "RRP", "RPR", "PRP", "RPP")
+ROLLING = "RRW"  # a rod and the wheel hinged to it, to which nothing else is hinged
 SYMMETRIC = ("RRR", "RPR", "PRP")
 FRAME, CRANK = 0, 1
 MOST_DYADS = 3
-_CODE = re.compile(r"([RP]{3})(\d)(\d)")
+_CODE = re.compile(r"([RPW]{3})(\d)(\d)")
 
 
 class AssurGroup(NamedTuple):
@@ -47,7 +49,7 @@ def parse_code(text: str) -> Structure:
     for part in text.split("-"):
         match = _CODE.fullmatch(part)
         dyad = AssurGroup(match[1], int(match[2]), int(match[3])) if match else None
-        if dyad is None or dyad.kind not in KINDS or not _fits(tuple(found), dyad):
+        if dyad is None or dyad.kind not in (*KINDS, ROLLING) or not _fits(tuple(found), dyad):
             remedy = "dyads with the links that they hang on, as list --structures writes them: RRP10-RRR23"
             raise InputError(Problem("expected the code of a structure", key="structure", value=text, remedy=remedy))
         found.append(dyad)
@@ -92,8 +94,11 @@ def sliding_pairs(structure: Structure) -> list[tuple[int, int]]:
 def _fits(structure: Structure, dyad: AssurGroup) -> bool:
     """Whether a dyad can be grown: on two links that are there; two sliding pairs in a row need links that turn."""
     count = 2 + 2 * len(structure)
-    if dyad.on == dyad.to or not (0 <= dyad.on < count and 0 <= dyad.to < count):
+    wheels = {2 * place + 3 for place, earlier in enumerate(structure) if earlier.kind == ROLLING}
+    if dyad.on == dyad.to or not (0 <= dyad.on < count and 0 <= dyad.to < count) or wheels & {dyad.on, dyad.to}:
         return False
+    if dyad.kind == ROLLING:
+        return dyad.on != FRAME == dyad.to
     return dyad.kind not in ("PRP", "RPP") or not _keep_their_angle(structure, dyad.on, dyad.to)
 
 
@@ -127,6 +132,18 @@ def textbook_structures(most_links: int = 7, kinds: Sequence[str] = KINDS) -> li
     """The structures with up to so many moving links that a textbook would print, by their size and code."""
     sizes = range(1, (most_links - 1) // 2 + 1)
     return [s for size in sizes for s in structures(size, tuple(kinds)) if is_textbook(s)]
+
+
+def rolling_structures(most_links: int = 7, kinds: Sequence[str] = KINDS) -> list[Structure]:
+    """The structures of textbooks in which the last slider on the frame is a rolling wheel, by their size and code."""
+    found = set()
+    for structure in textbook_structures(most_links, kinds):
+        used = {link for dyad in structure for link in (dyad.on, dyad.to)}
+        for place, dyad in enumerate(structure):
+            if dyad.kind == "RRP" and dyad.on != FRAME == dyad.to and not used & {2 * place + 2, 2 * place + 3}:
+                wheel = AssurGroup(ROLLING, dyad.on, FRAME)
+                found.add(normal((*structure[:place], wheel, *structure[place + 1 :])))
+    return sorted(found, key=lambda structure: (len(structure), structure))
 
 
 def is_textbook(structure: Structure) -> bool:
