@@ -3,8 +3,8 @@
 An extreme is looked for on a regular grid of the crank's angle; about each that may be the largest, the quantity is
 interpolated by a polynomial in Chebyshev's points, in a part of a step of the grid about the top of the parabola
 through three values. Where the polynomial does not resolve it (a kink, a peak at the end of that part) more follow,
-over the whole step and each in a fifth of the one before. What has no value (a crank that cannot make the turn, a quantity
-that does not change, a point that does not move to and fro) is infinite.
+over the whole step and each in a fifth of the one before. What has no value (a crank that cannot make the turn, a
+quantity that does not change, a point that does not move to and fro) is infinite.
 """
 
 from __future__ import annotations
