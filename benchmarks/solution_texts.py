@@ -21,8 +21,8 @@ from pathlib import Path
 from statistics import mean, median
 from typing import Any
 
+from variantgen.families import folders, load
 from variantgen.families.asking import read_ask
-from variantgen.families.folders import family_names
 from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.methods.compose import solution
@@ -35,6 +35,7 @@ from variantgen.wording.solution.plain import plain_solution
 
 HERE = Path(__file__).resolve()
 LANGUAGES = ("en", "ru")
+family_names = getattr(folders, "family_names", None) or load.family_names  # older checkouts have it there
 LONGEST = 5  # significant digits of a decimal that is not too long
 COLUMNS = {
     "characters": "characters of the text",

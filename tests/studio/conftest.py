@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 import socket
 import threading
 import time
@@ -75,8 +76,9 @@ class Visit:
 
 @pytest.fixture(scope="session")
 def chromium() -> Iterator[Any]:
-    from playwright.sync_api import sync_playwright
+    from playwright.sync_api import expect, sync_playwright
 
+    expect.set_options(timeout=15_000)
     program = find_browser()
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=program, args=["--no-sandbox", "--disable-gpu"])
@@ -108,8 +110,10 @@ def visit(chromium: Any, served: tuple[str, Path]) -> Iterator[Callable[..., Vis
     """Opens a window of a width and a theme on the folder of the server, with the exam file ``name``."""
     base, folder = served
     contexts = []
-    for old in folder.glob("*.toml"):
+    for old in (*folder.glob("*.toml"), *folder.glob("roster.csv")):
         old.unlink()
+    for name in ("builds", "marks", ".studio/roster", ".studio/marks"):
+        shutil.rmtree(folder / name, ignore_errors=True)
 
     def opened(text: str = EXAM, width: int = 1280, theme: str = "light", name: str = "exam") -> Visit:
         if not (folder / f"{name}.toml").exists():

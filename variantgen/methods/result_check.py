@@ -9,9 +9,11 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations
+from typing import TypeGuard
 
-from variantgen.algebra.expression import Constant, Value
+from variantgen.algebra.expression import Constant, Expression, Total, Value
 from variantgen.algebra.name import Name
+from variantgen.algebra.substitution import substituted
 from variantgen.algebra.values import in_order
 from variantgen.methods.solution.book import Book
 from variantgen.methods.solution.named_angles import renamed
@@ -37,6 +39,7 @@ _AXES = {"right": RIGHT, "up": UP}
 _UNKNOWNS = 2  # vectors that an equation determines
 _EQUATED = ("projections.theorem", "coupled.equal")  # sentences that make projections on a segment equal
 _RIGHT_ANGLE = 90.0  # degrees
+_TERMS = 3  # of a sum of angles that is short
 _SEEN = 0.1  # cosine of an angle at which a vector is still seen on an axis
 
 
@@ -87,26 +90,41 @@ def _balance(line: VectorLine, values: Mapping[Name | None, Value], axis: Value)
     for terms in (line.left, line.right):
         known = [replace(term, size=values[term.name]) if term.size is None else term for term in terms]
         sides.append([_by_number(share) for share in shares(known, axis)])
+    sums_of_angles: dict[Value, Expression] = {
+        share.angle: share.angle.expression
+        for side in sides
+        for share in side
+        if _is_sum(share.angle) and share.angle.expression is not None
+    }
     word = next(word for word, own in _AXES.items() if own is axis)
     sums = [sum_of(side) for side in sides]
     if sums[0].number(True) < 0:
         word = {"right": "left", "up": "down"}[word]
         sums = [sum_of([replace(share, sign=-share.sign) for share in side]) for side in sides]
     scale = max(value.exact for value in values.values() if value.measure in ("acceleration", "velocity"))
-    found = [Value(None, "number", whole.number(True), whole, scale) for whole in sums]
+    written = [substituted(whole, sums_of_angles) or Constant(0.0) for whole in sums]
+    found = [Value(None, "number", whole.number(True), whole, scale) for whole in written]
     first, second = (VectorOf(term.name) for term in unknowns((*line.left, *line.right)))
     facts: dict[str, Fact] = {"side": Word(word), "first": first, "second": second}
     return [Sentence("check.third_axis", facts, detail=False), Balance(*found)]
 
 
 def _by_number(share: Share) -> Share:
-    """A projection whose angle, unless it is one of the solution, is a number: only numbers are printed of a check."""
-    if share.angle is None or share.angle.name is not None:
+    """A projection whose angle, unless the solution has it or it is a short sum of such, is a number."""
+    if share.angle is None or share.angle.name is not None or _is_sum(share.angle):
         return share
     number, sign = share.angle.exact, share.sign
     if _RIGHT_ANGLE < number < 2 * _RIGHT_ANGLE:  # the acute angle is the one that the solution has
         number, sign = 2 * _RIGHT_ANGLE - number, sign if share.function == "sin" else -sign
     return replace(share, sign=sign, angle=Value(None, "angle", number, Constant(number, "angle")))
+
+
+def _is_sum(angle: Value | None) -> TypeGuard[Value]:
+    """Whether an angle without a name is a short sum of those that the solution has: a reader sees where it is from."""
+    if angle is None or angle.name is not None or not isinstance(angle.expression, Total):
+        return False
+    parts = [part for _, part in angle.expression.terms]
+    return len(parts) <= _TERMS and all(isinstance(p, Constant) or (isinstance(p, Value) and p.name) for p in parts)
 
 
 def by_links(found: Mapping[str, Value]) -> list[Item]:

@@ -95,6 +95,7 @@ def _packages(look: Look, needs: Needs) -> Iterator[tuple[str, str]]:
         yield "tikz", ""
     if look.kind == "solutions":
         yield "graphicx", ""
+        yield "multicol", ""
     if needs.programs:
         yield "fancyvrb", ""
 

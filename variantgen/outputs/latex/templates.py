@@ -5,7 +5,6 @@ Every value that is no source (:class:`~variantgen.outputs.latex.text.Tex`) is t
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache, partial
@@ -25,7 +24,6 @@ from variantgen.tables import shown
 _COLUMNS = 110
 _FORMULA = re.compile(r"(?<!\\)\$.*?(?<!\\)\$", re.DOTALL)
 _KEPT = "\x1f"  # a blank at which no line of the source ends
-_WIDTH, _GUTTER = 180.0, 4.0  # mm, of a row of figures
 _KEY_WIDTH, _NAMES, _PADDING = 180.0, 61.2, 2.3  # mm: a table of the key, its first columns, the room beside a value
 
 
@@ -93,7 +91,6 @@ def _filters(source: Callable[[Any], Tex]) -> dict[str, Callable[..., Tex]]:
         "answers": answers,
         "blank_cells": lambda cells: Tex("& " * (len(cells) - 1)),
         "cells": lambda cells: Tex(" & ".join(cells)),
-        "columns": _columns,
         "formulas": _formulas,
         "lines": lines,
         "listing": listing,
@@ -124,10 +121,3 @@ def _pieces(found: Sequence[tuple[Tex, Tex]], end: str) -> Tex:
     """A formula in pieces that hold together, with the sign before each."""
     pieces = (rf"\then{{{sign}}}{{{formula}}}" if sign else rf"\piece{{{formula}}}" for sign, formula in found)
     return Tex("\n  ".join(pieces) + end)
-
-
-def _columns(row: Sequence[Mapping[str, Any]]) -> Tex:
-    """Columns for the figures of a row, as wide as each needs in proportion."""
-    widths = [one["figure"].width * one["unit"] for one in row]
-    room = (_WIDTH - _GUTTER * (len(row) - 1)) / sum(widths)
-    return Tex("".join(f"F{{{math.floor(10 * width * room) / 10:.1f}mm}}" for width in widths))

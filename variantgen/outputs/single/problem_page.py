@@ -12,6 +12,7 @@ from variantgen.families.quantities import Quantity
 from variantgen.figure.build import statement_figure
 from variantgen.outputs.documents.key_content import equation
 from variantgen.outputs.documents.sheet_data import statement_data
+from variantgen.outputs.documents.solution_data import notes_data
 from variantgen.outputs.figures import write_whole
 from variantgen.outputs.typst.typesetter import typesetter
 from variantgen.outputs.typst.writing import TYPST
@@ -47,7 +48,7 @@ def write_single(
         **statement_data(said, TYPST),
         "answers-title": language.words("key")["title"] + ":",
         "answers": [TYPST.equals(equation(a, language, variant.form.symbols), a.surd) for a in answers],
-        "notes": answer_notes(read_off(variant.form, asked), language),
+        "notes": notes_data(answer_notes(read_off(variant.form, asked), language), TYPST),
         "figure": TYPST.figure(statement_figure(variant, solve_variants([variant], 0), 0, asked, language)),
     }
     with typesetter() as engine:

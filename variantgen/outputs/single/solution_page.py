@@ -8,7 +8,7 @@ from pathlib import Path
 from variantgen.exam.content import with_figures
 from variantgen.families.quantities import Quantity, motion_order
 from variantgen.methods.solution_options import SolutionOptions
-from variantgen.outputs.documents.solution_data import problem_data, solution_words
+from variantgen.outputs.documents.solution_data import notes_data, problem_data, solution_words
 from variantgen.outputs.figures import write_whole
 from variantgen.outputs.single.problem_page import page_format
 from variantgen.outputs.typst.typesetter import typesetter
@@ -42,7 +42,7 @@ def write_explained(
         "remark": remark,
         "words": solution_words(language),
         "problem": problem_data(solved, language, TYPST),
-        "notes": answer_notes(read_off(variant.form, asked), language),
+        "notes": notes_data(answer_notes(read_off(variant.form, asked), language), TYPST),
     }
     with typesetter() as engine:
         made = engine.compile("explained.typ", data, form)[0]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import secrets
 from typing import TYPE_CHECKING
 
 from starlette.background import BackgroundTask
@@ -79,7 +80,7 @@ async def bring(request: Request) -> Response:
 
     folder, marked = _marking(request)
     name = request.query_params.get("name", "")[:200]
-    incoming = studio_of(request).workspace.state("marks", "incoming")
+    incoming = studio_of(request).workspace.state("marks", f"incoming-{secrets.token_hex(8)}")
     await save_upload(request, incoming, SCANS_BYTES)
     await run_in_threadpool(take, folder, marked, incoming, name)
     return JSONResponse({"command": command_of(studio_of(request), folder)})
@@ -132,7 +133,7 @@ async def result(request: Request) -> Response:
     folder, _ = _marking(request)
     files = folder.result()
     if request.path_params["number"] == "all":
-        packed = studio_of(request).workspace.state("marks", "all.zip")
+        packed = studio_of(request).workspace.state("marks", f"all-{secrets.token_hex(8)}.zip")
         await run_in_threadpool(pack, folder, packed)
         return FileResponse(
             packed, filename=f"{folder.build.folder.name}-marks.zip", background=BackgroundTask(packed.unlink)

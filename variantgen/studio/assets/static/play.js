@@ -62,7 +62,7 @@ async function load(address, noted = true) {
   page.setAttribute("aria-busy", "false");
 }
 function fresh() {
-  $("wrong").hidden = true;
+  $("wrong").hidden = true; run.disabled = slider.disabled = false;
   values = data.way.values;
   const low = Math.min(values[0], values.at(-1)), high = Math.max(values[0], values.at(-1)), span = high - low || 1;
   stage = new Stage($("scene"), data);
@@ -126,4 +126,5 @@ addEventListener("keydown", event => {
   else return;
   event.preventDefault();
 });
+run.disabled = slider.disabled = true;
 load(page.dataset.motion, false);

@@ -1,7 +1,6 @@
 // The stage of Play: the figure, vectors, centres, plans and curves of a motion, for a position by its number.
 
 const SVG = "http://www.w3.org/2000/svg";
-const MOST = 48;  // of a vector in plans, u
 const KINDS = { velocities: "vel", accelerations: "acc" };
 export function svg(tag, attributes = {}, ...children) {
   const made = document.createElementNS(SVG, tag);
@@ -60,23 +59,19 @@ export class Stage {
     this.changes.push(i => { const place = one.at[i]; show(made, Boolean(place)); if (place) move(made, ...place); });
     return made;
   }
-  // A plan: all vectors from one pole, the ends of points of one body joined.
+  // A plan: all vectors from one pole, the ends of points of one body joined; in each position to a scale that fills it.
   plan(kind, title, label) {
     const { vectors, edges } = this.data[kind], whole = vectors.filter(one => one.end), short = KINDS[kind];
-    // Whatever the ends reach lies in the picture; what grows beyond near a dead position does not make the rest small.
-    const reached = [[0, 0], ...whole.flatMap(one => one.by.filter(by => by && Math.hypot(...by) < MOST))];
-    const [left, right] = [Math.min, Math.max].map(most => reached.reduce((found, by) => most(found, by[0]), 0));
-    const [top, bottom] = [Math.min, Math.max].map(most => reached.reduce((found, by) => most(found, by[1]), 0));
-    const scale = 90 / Math.max(right - left, bottom - top, 1e-9), box = [left * scale - 12, top * scale - 12, (right - left) * scale + 24, (bottom - top) * scale + 24];
     const joined = edges.map(() => svg("line")), lines = whole.map(() => arrow(short)), ends = whole.map(one => lettered(one.end, ""));
     this.changes.push(i => {
-      const tips = whole.map(one => one.by[i] ? one.by[i].map(value => value * scale) : null);
+      const most = Math.max(...whole.map(one => one.by[i] ? Math.hypot(...one.by[i]) : 0));
+      const tips = whole.map(one => one.by[i] && most > 0.3 ? one.by[i].map(value => value * 44 / most) : null);
       whole.forEach((_, k) => {
         const tip = tips[k], length = tip ? Math.hypot(...tip) : 0;
         for (const part of [lines[k], ends[k]]) show(part, length > 1);
         if (length <= 1) return;
         set(lines[k], { x1: 0, y1: 0, x2: tip[0], y2: tip[1] });
-        move(ends[k], tip[0] * (1 + 6.5 / length), tip[1] * (1 + 6.5 / length), 1.6);
+        move(ends[k], tip[0] * (1 + 8 / length), tip[1] * (1 + 8 / length), 2.1);
       });
       edges.forEach(([a, b], k) => {
         show(joined[k], tips[a] && tips[b]);
@@ -85,7 +80,7 @@ export class Stage {
     });
     const heading = document.createElement("h2"), made = document.createElement("div");
     heading.textContent = title; made.className = "plan";
-    made.append(heading, svg("svg", { viewBox: box.join(" "), role: "img", "aria-label": label }, heads(), ...joined, ...lines, svg("circle", { r: 1.5 }), ...ends));
+    made.append(heading, svg("svg", { viewBox: "-58 -58 116 116", role: "img", "aria-label": label }, heads(), ...joined, ...lines, svg("circle", { r: 1.5 }), ...ends));
     (this.layers[kind] ??= []).push(made);
     return made;
   }
