@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal, InvalidOperation
+from functools import cached_property, lru_cache
 from pathlib import Path
 
 from variantgen.errors import InputError, Problem
@@ -16,6 +17,8 @@ from variantgen.exam.solutions import NONE, Solutions
 from variantgen.families.parameter import Parameter
 from variantgen.outputs.formats import parse_exam
 from variantgen.variants.variant import Variant
+
+_KEPT = 1000  # students whose variants are kept
 
 
 @dataclass(frozen=True)
@@ -40,9 +43,18 @@ class Finished:
 
     def variant(self, place: int, number: int) -> Variant:
         """The variant of a student, by the place of the student and the number of the problem. Raises InputError."""
-        sheet = self.record.sheets[place]
-        (own,) = self.variants([sheet])
-        return own[[problem.number for problem in sheet.problems].index(number)]
+        return self._variants_of(place)[number]
+
+    @cached_property
+    def _variants_of(self) -> Callable[[int], dict[int, Variant]]:
+        """The variants of a student by number; of some students they are kept, for they are asked for many times."""
+
+        def of(place: int) -> dict[int, Variant]:
+            sheet = self.record.sheets[place]
+            (own,) = self.variants([sheet])
+            return dict(zip((problem.number for problem in sheet.problems), own, strict=True))
+
+        return lru_cache(maxsize=_KEPT)(of)
 
     def sheets(self, places: Sequence[int], marked: bool = False) -> tuple[Sheet, ...]:
         """The sheets of some students, by their places, with answers computed anew.
