@@ -3,8 +3,8 @@
     python -m benchmarks.studio [--moves N] [--building]
 
 A studio is started in a new folder with an exam of one problem; ``first page`` is from the command to the last byte of
-the page, ``gallery`` the cards and all their figures, at the first start and later, asked for six at a time, as browsers
-do. Then Chromium moves a slider ``N`` times: from the event to the frame after the new figure
+the page, ``gallery`` the cards and all their figures, at the first start and later, asked for six at a time, as
+browsers do. Then Chromium moves a slider ``N`` times: from the event to the frame after the new figure
 stands in the page. ``--building`` lets a build of 400 sheets run meanwhile. Prints a Markdown table.
 """
 
