@@ -12,7 +12,7 @@ from variantgen.studio.shipped import is_current, shipped_cards, shipped_figure
 from variantgen.studio.studio import Studio
 from variantgen.studio.words import LANGUAGES
 
-ANEW = "python -m variantgen.studio.shipped"
+ANEW = "python -m variantgen.studio.shipping"
 
 
 @pytest.mark.parametrize("family, form", [("four_bar", "crank"), ("spool", ""), ("planetary_train", "two_planets")])

@@ -2,9 +2,9 @@
 
 An extreme is looked for on a regular grid of the crank's angle; about each that may be the largest, the quantity is
 interpolated by a polynomial in Chebyshev's points, in a part of a step of the grid about the top of the parabola
-through three values. Where the polynomial does not settle (a kink, a peak at the end of that part) more follow, over
-the whole step and each in a fifth of the one before. What has no value (a crank that cannot make the turn, a quantity
-that does not change, a point that does not move to and fro) is infinite.
+through three values. Where the polynomial does not resolve it (a kink, a peak at the end of that part) more follow,
+over the whole step and each in a fifth of the one before. What has no value (a crank that cannot make the turn, a
+quantity that does not change, a point that does not move to and fro) is infinite.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ _SLOPE = chebyshev.chebder(np.eye(_DEGREE + 1), axis=1)  # what derivatives make
 _BEND = chebyshev.chebder(_SLOPE, axis=1)
 _PART, _CLOSER = 0.25, 0.2  # of a step of the grid: about the parabola's top; each time again, where need be
 _TIMES = 13  # until a kink is known to ten digits
-_SETTLED = 1e-12  # relative: the last two coefficients of a polynomial that leaves nothing out
+_RESOLVED = 1e-12  # relative: the last two coefficients of a polynomial that leaves nothing out
 _INSIDE = 0.95  # of the part: peaks farther out may lie beyond it
 _NEAR = 0.05  # of the range: how far below the largest value of the grid another may lie and be it
 _SAME = 1e-9  # relative: of two equally large values the first counts
@@ -92,14 +92,14 @@ def _refined(
     bend = before - 2 * top + after
     aside = 0.5 * (before - after) / np.where(bend < 0, bend, -np.inf)
     centre: Field = (place + aside) * _STEP
-    centre, height, settled = _polynomial(turn, quantity, own, centre, _PART * _STEP)
-    centre[~settled] = place[~settled] * _STEP
+    centre, height, resolved = _polynomial(turn, quantity, own, centre, _PART * _STEP)
+    centre[~resolved] = place[~resolved] * _STEP
     width = _STEP
     for _ in range(_TIMES):
-        few = np.flatnonzero(~settled)
+        few = np.flatnonzero(~resolved)
         if not few.size:
             break
-        centre[few], height[few], settled[few] = _polynomial(turn, quantity, own[few], centre[few], width)
+        centre[few], height[few], resolved[few] = _polynomial(turn, quantity, own[few], centre[few], width)
         width *= _CLOSER
     angle = np.mod(centre, FULL_TURN)
     return np.where(FULL_TURN - angle < _SAME, 0.0, angle), height
@@ -108,15 +108,15 @@ def _refined(
 def _polynomial(
     turn: CrankTurn, quantity: Scalar, own: NDArray[np.intp], centre: Field, width: float
 ) -> tuple[Field, Field, NDArray[np.bool_]]:
-    """Angle and height of the peak so far about a centre, and whether the polynomial has settled; shape (M,) each."""
+    """Angle and height of the peak so far about a centre, and whether the polynomial resolves it; shape (M,) each."""
     angles = centre[:, None] + width * _NODES
     variants = np.repeat(own, len(_NODES))
     values = quantity(turn.at(variants, angles.ravel()), variants).reshape(angles.shape)
     coefficients = values @ _TO_COEFFICIENTS.T
     peak = _risen(coefficients, _FINE[np.argmax(coefficients @ _AT_FINE.T, axis=1)])
     rest = np.max(np.abs(coefficients[:, -2:]), axis=1)
-    settled = (rest <= _SETTLED * np.max(np.abs(values), axis=1)) & (np.abs(peak) <= _INSIDE)
-    return centre + width * peak, np.sum(chebyshev.chebvander(peak, _DEGREE) * coefficients, axis=1), settled
+    resolved = (rest <= _RESOLVED * np.max(np.abs(values), axis=1)) & (np.abs(peak) <= _INSIDE)
+    return centre + width * peak, np.sum(chebyshev.chebvander(peak, _DEGREE) * coefficients, axis=1), resolved
 
 
 def _risen(coefficients: Field, place: Field) -> Field:

@@ -39,7 +39,6 @@ from variantgen.wording.formula import (
     SymbolProperty,
 )
 from variantgen.wording.language import Language
-from variantgen.wording.solution.phrases import load_phrases
 
 
 def law_equations(form: Form, language: Language) -> list[Equation]:
@@ -95,6 +94,8 @@ def _formula(item: Expression, language: Language, symbols: Mapping[str, str]) -
         case Magnitude(inner):
             return Absolute(of(inner))
         case Applied(function, argument):
+            from variantgen.wording.solution.phrases import load_phrases  # few laws have functions
+
             return Function(load_phrases(language.name).functions[function], of(argument))
     raise TypeError(f"no formula for {item!r}")
 

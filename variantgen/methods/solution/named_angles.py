@@ -85,8 +85,9 @@ def _corner(book: Book, form: AngleForm) -> Value | None:
     points = shown_points(book.task.variant, book.task.asked)
     for vertex in points:
         rays = [p for p in points if p != vertex and abs(geometry.vector(vertex, p)) > geometry.nothing]
+        bearings = {point: geometry.bearing(vertex, point) for point in rays}
         for first, second in combinations(rays, 2):
-            if abs(between(geometry.bearing(vertex, first), geometry.bearing(vertex, second)) - size) > _SAME:
+            if abs(between(bearings[first], bearings[second]) - size) > _SAME:
                 continue
             if not (geometry.has_direction(vertex, first) and geometry.has_direction(vertex, second)):
                 continue
