@@ -9,6 +9,7 @@ import sys
 import zlib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cache
 from itertools import permutations
 from pathlib import Path
 
@@ -19,7 +20,8 @@ import pytest
 from PIL import Image, ImageDraw
 
 from benchmarks.filled_pages import Answered, fill, scanned, with_hidden_corner
-from tests.marking.test_marks import acceleration, parameters
+from tests.marking.test_marks import EXAM as QUIZ
+from tests.marking.test_marks import STUDENTS, acceleration, parameters
 from variantgen.cli import main
 from variantgen.exam import answer_page as page
 from variantgen.exam.manifest import read_manifest
@@ -34,22 +36,9 @@ from variantgen.marking.scan.pictures import ScanImage
 Row = dict[str, str]
 DPI = 150
 _MM = DPI / 25.4
-EXAM = """title = "Quiz"
-language = "{language}"
-seed = 4
-[answers]
-scan = true
-[solutions]
-depth = "none"
-[[problem]]
-family = "slider_crank"
-form = "central"
-points = 8
-[[problem]]
-family = "spool"
-ask = ["v_O"]
-"""
-STUDENTS = "id,name,group\ns1,Ann Lee,A\ns2,Bob Ray,A\ns3,Cy Young,B\n"
+EXAM = QUIZ.replace('language = "en"\nformats = ["xlsx"]', 'language = "{language}"').replace(
+    "[solutions]", "[answers]\nscan = true\n[solutions]"
+)
 
 
 @dataclass(frozen=True)
@@ -97,14 +86,20 @@ def build(folder: Path, language: str) -> Built:
     return Built(out, pages, language)
 
 
-@pytest.fixture(scope="module", params=["en", "ru"])
-def built(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Built:
-    return build(tmp_path_factory.mktemp(request.param), request.param)
-
-
 @pytest.fixture(scope="module")
-def english(tmp_path_factory: pytest.TempPathFactory) -> Built:
-    return build(tmp_path_factory.mktemp("english"), "en")
+def exams(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Built]:
+    """The exam in a language, built once."""
+    return cache(lambda language: build(tmp_path_factory.mktemp(language), language))
+
+
+@pytest.fixture(params=["en", "ru"])
+def built(request: pytest.FixtureRequest, exams: Callable[[str], Built]) -> Built:
+    return exams(request.param)
+
+
+@pytest.fixture
+def english(exams: Callable[[str], Built]) -> Built:
+    return exams("en")
 
 
 def written(value: float) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 import socket
 import threading
 import time
@@ -109,8 +110,10 @@ def visit(chromium: Any, served: tuple[str, Path]) -> Iterator[Callable[..., Vis
     """Opens a window of a width and a theme on the folder of the server, with the exam file ``name``."""
     base, folder = served
     contexts = []
-    for old in folder.glob("*.toml"):
+    for old in (*folder.glob("*.toml"), *folder.glob("roster.csv")):
         old.unlink()
+    for name in ("builds", "marks", ".studio/roster", ".studio/marks"):
+        shutil.rmtree(folder / name, ignore_errors=True)
 
     def opened(text: str = EXAM, width: int = 1280, theme: str = "light", name: str = "exam") -> Visit:
         if not (folder / f"{name}.toml").exists():

@@ -10,6 +10,7 @@ import shlex
 import shutil
 import zipfile
 from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -94,8 +95,6 @@ def by_command(command: str, out: Path) -> dict[str, bytes]:
 
 def paste_class(window: Visit) -> None:
     """A class of 108 students, pasted."""
-    for name in ("builds", "marks", ".studio/roster"):
-        shutil.rmtree(window.folder / name, ignore_errors=True)
     page = window.open("/exam/roster")
     page.get_by_role("button", name="Paste a table").click()
     listed = "\n".join(f"Student {chr(65 + i // 26)}{chr(97 + i % 26)},S{i},G{i % 3}" for i in range(108))
@@ -180,7 +179,8 @@ def test_doubtful_readings_are_decided(asking: Asking, course: Path, scan_exam: 
     assert picture.headers["content-type"] == "image/png" and picture.content[1:4] == b"PNG"
     assert 'class="doubtrow"' in shown(asking, view="questions", problem="2", quantity="v_O")
     assert "Doubtful 1" in asking.get(f"/exam/mark/list?build={BUILD}").text
-    assert say(asking, code, 2, "v_O", written(own[-1][1])).json() == {"verdict": "right", "before": ""}
+    said = say(asking, code, 2, "v_O", written(own[-1][1])).json()
+    assert (said["verdict"], said["before"]) == ("right", "") and f"{BUILD}/review.csv" in said["command"]
     assert 'class="doubtrow"' not in shown(asking, code=code)
     marks = course / "marks" / BUILD
     assert list(csv.reader((marks / "review.csv").read_text().splitlines())) == [
@@ -205,11 +205,27 @@ def test_typed_answers_stand_before_tables_and_are_taken_back(asking: Asking, co
     assert "противоположный" in shown(asking, code=code, lang="ru").casefold()
     assert say(asking, code, problem, quantity, f"{value:.5g}").json()["verdict"] == "right"
     assert 'class="v wrong"' not in shown(asking, code=code)
-    assert say(asking, code, problem, quantity, "").json() == {"verdict": "blank", "before": f"{value:.5g}"}
+    taken_back = say(asking, code, problem, quantity, "").json()
+    assert (taken_back["verdict"], taken_back["before"]) == ("blank", f"{value:.5g}")
     assert 'class="v wrong"' in shown(asking, code=code)
     assert asking.post(f"/exam/mark/drop?build={BUILD}", {"file": "answers-1.csv"}).status == 200
     assert "Handed in: 0 of 3" in asking.get(f"/exam/mark/list?build={BUILD}").text
     assert asking.get(f"/exam/mark/find?build={BUILD}&who=young").json() == {"code": scan_exam.code(2)}
+
+
+def test_windows_lose_no_answers(asking: Asking, course: Path, scan_exam: Built) -> None:
+    """Answers typed and files brought at once are all there."""
+    code, own = scan_exam.code(0), [name.split(".") for name, _ in scan_exam.key[0]]
+    tables = [f"student,1.v_B\n{scan_exam.code(place)},5\n".encode() for place in range(3)]
+    with ThreadPoolExecutor(8) as pool:
+        said = [pool.submit(say, asking, code, int(problem), quantity, "5") for problem, quantity in own]
+        brought = [pool.submit(bring, asking, table, f"{n}.csv") for n, table in enumerate(tables)]
+        assert {done.result().status for done in (*said, *brought)} == {200}
+    marks = course / "marks" / BUILD
+    assert len((marks / "typed.csv").read_text().splitlines()) == 1 + len(own)
+    assert {path.read_bytes() for path in marks.glob("answers-*.csv")} == set(tables)
+    names = json.loads((course / ".studio" / "marks" / f"{BUILD}.json").read_text())
+    assert sorted(names.values()) == ["0.csv", "1.csv", "2.csv"]
 
 
 SCRIPT = "<script>alert(1)</script>"

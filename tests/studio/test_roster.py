@@ -53,7 +53,6 @@ def ready(client: Asking) -> dict[str, str]:
 def test_a_pasted_table_becomes_the_class(visit: Callable[..., Visit]) -> None:
     """Titles skipped, columns found by what stands in them, one question, and the list is used; then taken back."""
     window = visit()
-    (window.folder / "roster.csv").unlink(missing_ok=True)
     page = window.open("/exam/roster")
     page.get_by_role("button", name="Paste a table").click()
     page.get_by_role("textbox").fill(OFFICE)

@@ -30,7 +30,8 @@ from variantgen.wording.language import load_language
 from variantgen.wording.solution.explain import explain
 from variantgen.wording.statement import statement
 
-_LOOKED_AT, _COUNTED = 3, 15  # variants whose figures are drawn, and whose work is counted where it matters
+_LOOKED_AT = 3  # variants whose figures are drawn
+_COUNTED = 15  # variants whose work is counted where it matters
 _ROUGHLY = 1.25  # one variant tells the work so well
 _TRIES = 4  # layouts of a structure whose work matters
 _KEY = ("compose", 0)  # in the place of student and problem
@@ -86,8 +87,10 @@ def _faults(variants: Sequence[Variant], motion: Motion, asked: Sequence[Quantit
         statement(variants[0], asked, language)
         for place, variant in enumerate(variants):
             yield from map(str, figure_faults(statement_figure(variant, motion, place, asked, language)))
-        text = explain(variants[0], motion, 0, asked, language)
-        yield from solution_figure_faults(variants[0], motion, asked, language, text)
+        for variant in variants:
+            alone = solve_variants([variant], 2)
+            text = explain(variant, alone, 0, asked, language)
+            yield from solution_figure_faults(variant, alone, asked, language, text)
 
 
 def _case(family: Family) -> str:

@@ -12,6 +12,7 @@ from variantgen.synthesis.chance import Chance
 LETTERS = "ABCDEFGHKLMNQ"  # of moving points in the order of growth; P is the centre of velocities
 ANGLES = ("beta", "gamma", "delta", "psi", "theta")  # alpha is an angular acceleration in English
 WHEEL = "wheel1"  # the body of a rolling wheel
+OPENINGS = ("opening", "opening_driven", "opening_given")  # how the statement begins
 _LENGTH_STEP, _ANGLE_STEP = 2, 5  # cm, degrees
 Facts: TypeAlias = dict[str, str]
 Component: TypeAlias = tuple[str, dict[str, Any]]
@@ -67,6 +68,7 @@ class Draft:
     """What is laid out so far. Lengths in cm, directions in degrees, x right and y up."""
 
     rng: Chance
+    opening: str = OPENINGS[0]
     z: dict[str, complex] = field(default_factory=dict)
     points: dict[str, Component] = field(default_factory=dict)
     data: dict[str, Datum] = field(default_factory=dict)

@@ -6,7 +6,7 @@ import copy
 
 from variantgen.synthesis.chance import Chance
 from variantgen.synthesis.crowding import crowded, too_long
-from variantgen.synthesis.draft import Datum, Draft, LayoutError
+from variantgen.synthesis.draft import OPENINGS, Datum, Draft, LayoutError
 from variantgen.synthesis.dyads import place_dyad
 from variantgen.synthesis.structures import CRANK, Structure
 
@@ -38,7 +38,7 @@ def _uses(structure: Structure) -> dict[int, str]:
 
 def _crank(rng: Chance, only_slid_on: bool) -> Draft:
     """The driving link, at an angle to the horizontal that is away from the axes."""
-    draft = Draft(rng)
+    draft = Draft(rng, rng.choice(OPENINGS))
     draft.z["O"] = 0j
     draft.points["O"] = "coordinates", {"x": 0, "y": 0}
     draft.pivots.append("O")

@@ -34,7 +34,7 @@ def statement_text(draft: Draft, language: str) -> str:
     """``statement.<language>.j2``: the given motion, dyads in the order of growth, position, relative motion."""
     words = sentences(language)
     phrases = words["position"]
-    opening = phrases["opening"].format() + phrases["changing" if changes_speed(draft) else "constant"] + "."
+    opening = phrases[draft.opening].format() + phrases["changing" if changes_speed(draft) else "constant"] + "."
     parts = [opening, *(words["sentences"][key].format(**_filled(facts, words)) for key, facts in draft.sentences)]
     parts += [phrases["rest"] + rest + "."] if (rest := _position(draft, words)) else []
     relative = [words["relative"][key].format(**_of_block(facts, words)) for key, facts in draft.relative]

@@ -49,7 +49,8 @@ def take(folder: MarkingFolder, marked: MarkedBuild, incoming: Path, name: str) 
     """Keep a file with answers, if it has some. Raises InputError."""
     try:
         with incoming.open("rb") as file:
-            path = folder.next_path(file.read(8))
+            beginning = file.read(8)
+        path = folder.next_path(beginning)
         finished = marked.current().finished
         if is_picture(path):
             if not finished.exam.scan:
@@ -63,10 +64,12 @@ def take(folder: MarkingFolder, marked: MarkedBuild, incoming: Path, name: str) 
                 read_answers([trial], FormWords.of(finished.exam))
             except InputError as error:
                 raise InputError(replace(problem, file=name) for problem in error.problems) from None
-        shutil.move(incoming, path)
+        with folder.lock:  # another window may have brought a file meanwhile
+            path = folder.next_path(beginning)
+            shutil.move(incoming, path)
+            folder.name(path, name)
     finally:
         incoming.unlink(missing_ok=True)
-    folder.name(path, name)
 
 
 def said(folder: MarkingFolder, marked: MarkedBuild, data: dict[str, Any]) -> dict[str, Any]:
@@ -84,12 +87,13 @@ def said(folder: MarkingFolder, marked: MarkedBuild, data: dict[str, Any]) -> di
         raise UnknownKeyError(f"{code} {number}.{name}"[:80]) from None
     scanned = (place, number, name) in found.scanned
     file = REVIEW if scanned else TYPED
-    entries = folder.written(file)
     asked = code, number, name
-    before = entries.pop(asked, "")
-    if text:
-        entries[asked] = text
-    folder.write(file, entries)
+    with folder.lock:
+        entries = folder.written(file)
+        before = entries.pop(asked, "")
+        if text:
+            entries[asked] = text
+        folder.write(file, entries)
     return {"verdict": verdict_of(answer, text)[2].value, "before": before}
 
 

@@ -17,6 +17,7 @@ import csv
 import io
 import json
 import re
+import threading
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -44,6 +45,7 @@ class MarkingFolder:
 
     def __init__(self, workspace: Workspace, build: FinishedBuild) -> None:
         self._workspace, self.build = workspace, build
+        self.lock = threading.Lock()  # of whoever changes a file by what it says
         self.path = workspace.folder / "marks" / build.folder.name
         for place in (self.path.parent, self.path, self.path / RESULT):
             if place.is_symlink():

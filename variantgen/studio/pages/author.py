@@ -23,7 +23,7 @@ from variantgen.studio.authoring import (
     texts,
     versions,
 )
-from variantgen.studio.catalogue import ONLY
+from variantgen.studio.catalogue import ONLY, Card, cards
 from variantgen.studio.documents.document import Document
 from variantgen.studio.figures import FIRST_SEED, MOST_SEEDS
 from variantgen.studio.frame import command, language_of, render
@@ -39,16 +39,16 @@ _SEEDS = 200  # variants of a check
 
 async def author(request: Request) -> Response:
     """The page, without an exam."""
-    return _page(request, None)
+    return await _page(request, None)
 
 
 async def author_exam(request: Request) -> Response:
     """The page beside an exam that can use the family."""
-    return _page(request, document_of(request))
+    return await _page(request, document_of(request))
 
 
-def _page(request: Request, document: Document | None) -> Response:
-    studio = studio_of(request)
+async def _page(request: Request, document: Document | None) -> Response:
+    studio, language = studio_of(request), language_of(request)
     own, name = own_families(studio.workspace), request.query_params.get("family", "")
     if name:
         folder_of(studio.workspace, name)
@@ -57,21 +57,22 @@ def _page(request: Request, document: Document | None) -> Response:
         if name
         else command("variantgen", "new", "family", "my_family", "--out", str(studio.workspace.folder))
     )
-    context: dict[str, Any] = {"family": name, "own": list(own), "files": FILES, "first": FIRST_SEED}
-    return render(request, "author", studio, document, line, templates=_templates(language_of(request)), **context)
+    context: dict[str, Any] = {"family": name, "own": list(own), "files": FILES}
+    if not name:
+        first: dict[str, Card] = {}
+        for card in await run_in_threadpool(cards, studio.workspace):
+            if not card["own"]:
+                first.setdefault(card["family"], card)
+        titles = {family: card["titles"][language] for family, card in first.items()}
+        context["templates"] = [_template(first[family], language) for family in TEMPLATES if family in first]
+        context["catalogue"] = sorted(titles.items(), key=lambda item: item[1])
+    return render(request, "author", studio, document, line, **context)
 
 
-def _templates(language: str) -> list[dict[str, str]]:
-    """The families to begin with, by name, title and figure."""
-    from variantgen.families.load import load_family
-
-    found = []
-    for name in TEMPLATES:
-        family = load_family(name)
-        form = next(iter(family.forms)) or ONLY
-        figure = f"/figure/{name}/{form}/{FIRST_SEED}.svg?lang={language}"
-        found.append({"name": name, "title": family.title(language), "figure": figure})
-    return found
+def _template(card: Card, language: str) -> dict[str, str]:
+    """A family to begin with: name, title, figure."""
+    figure = f"/figure/{card['family']}/{card['form'] or ONLY}/{FIRST_SEED}.svg?lang={language}&v={card['version']}"
+    return {"name": card["family"], "title": card["titles"][language], "figure": figure}
 
 
 async def create(request: Request) -> Response:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import secrets
 from typing import TYPE_CHECKING
 
 from starlette.background import BackgroundTask
@@ -79,7 +80,7 @@ async def bring(request: Request) -> Response:
 
     folder, marked = _marking(request)
     name = request.query_params.get("name", "")[:200]
-    incoming = studio_of(request).workspace.state("marks", "incoming")
+    incoming = studio_of(request).workspace.state("marks", f"incoming-{secrets.token_hex(8)}")
     await save_upload(request, incoming, SCANS_BYTES)
     await run_in_threadpool(take, folder, marked, incoming, name)
     return JSONResponse({"command": command_of(studio_of(request), folder)})
@@ -96,10 +97,11 @@ async def drop(request: Request) -> Response:
 
 async def say(request: Request) -> Response:
     """An answer that was typed, or the decision on a doubtful reading; its verdict comes back at once."""
-    from variantgen.studio.marking.changes import said
+    from variantgen.studio.marking.changes import command_of, said
 
     data, (folder, marked) = await read_json(request), _marking(request)
-    return JSONResponse(await run_in_threadpool(said, folder, marked, data))
+    found = await run_in_threadpool(said, folder, marked, data)
+    return JSONResponse({**found, "command": command_of(studio_of(request), folder)})
 
 
 async def policy(request: Request) -> Response:
@@ -114,7 +116,7 @@ async def policy(request: Request) -> Response:
 
 async def write(request: Request) -> Response:
     """Write the marks by the command that the page shows."""
-    from variantgen.studio.marking.changes import words_of_command
+    from variantgen.studio.marking.changes import command_of, words_of_command
 
     await read_json(request)
     folder, _ = _marking(request)
@@ -122,7 +124,8 @@ async def write(request: Request) -> Response:
     code, _, said = await run_command(*words)
     if code:
         raise InputError(Problem(said.decode("utf-8", "replace").strip()[-600:]))
-    return JSONResponse({"files": [path.name for path in folder.result()]})
+    files = [path.name for path in folder.result()]
+    return JSONResponse({"files": files, "command": command_of(studio_of(request), folder)})
 
 
 async def result(request: Request) -> Response:
@@ -132,7 +135,7 @@ async def result(request: Request) -> Response:
     folder, _ = _marking(request)
     files = folder.result()
     if request.path_params["number"] == "all":
-        packed = studio_of(request).workspace.state("marks", "all.zip")
+        packed = studio_of(request).workspace.state("marks", f"all-{secrets.token_hex(8)}.zip")
         await run_in_threadpool(pack, folder, packed)
         return FileResponse(
             packed, filename=f"{folder.build.folder.name}-marks.zip", background=BackgroundTask(packed.unlink)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
 
 from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request
@@ -21,7 +22,10 @@ from variantgen.studio.words import page_words
 from variantgen.studio.workspace import ROSTER, write_whole
 
 if TYPE_CHECKING:
-    from variantgen.studio.roster.table import Tab
+    from variantgen.studio.roster.table import ClassTables, Tab
+
+P = ParamSpec("P")
+T = TypeVar("T")
 
 
 async def roster(request: Request) -> Response:
@@ -36,7 +40,9 @@ async def shown(request: Request) -> Response:
 
     document, language = document_of(request), language_of(request)
     tab = number_of(request.query_params.get("tab", "0"), "tab", 0, 10_000)
-    found = await run_in_threadpool(look, studio_of(request), document, tab, language)
+    found = await run_in_threadpool(
+        _alone, studio_of(request).class_tables, look, studio_of(request), document, tab, language
+    )
     return HTMLResponse(part(request, "roster_table", "roster", exam=document.key, **found))
 
 
@@ -45,7 +51,8 @@ async def bring(request: Request) -> Response:
     document_of(request)
     name = request.query_params.get("name", "")[:200]
     content = await read_upload(request, ROSTER_BYTES)
-    await run_in_threadpool(studio_of(request).class_tables.bring, content, name)
+    tables = studio_of(request).class_tables
+    await run_in_threadpool(_alone, tables, tables.bring, content, name)
     return JSONResponse({})
 
 
@@ -53,7 +60,7 @@ async def say(request: Request) -> Response:
     """What a column, a row, a worksheet is, or the answer to a question."""
     data = await read_json(request)
     document_of(request)
-    await run_in_threadpool(_said, studio_of(request), data)
+    await run_in_threadpool(_alone, studio_of(request).class_tables, _said, studio_of(request), data)
     return JSONResponse({})
 
 
@@ -61,7 +68,7 @@ async def use(request: Request) -> Response:
     """Write the class list; the one before can be taken back."""
     await read_json(request)
     studio, document = studio_of(request), document_of(request)
-    count = await run_in_threadpool(_written, studio, document)
+    count = await run_in_threadpool(_alone, studio.class_tables, _written, studio, document)
     return JSONResponse({"students": count, **_frame(studio, document, language_of(request))})
 
 
@@ -69,8 +76,14 @@ async def back(request: Request) -> Response:
     """Put the class list back that was there before."""
     await read_json(request)
     studio, document = studio_of(request), document_of(request)
-    await run_in_threadpool(_put_back, studio)
+    await run_in_threadpool(_alone, studio.class_tables, _put_back, studio)
     return JSONResponse(_frame(studio, document, language_of(request)))
+
+
+def _alone(tables: ClassTables, work: Callable[P, T], *given: P.args, **named: P.kwargs) -> T:
+    """Do work on the table while no other window does."""
+    with tables.lock:
+        return work(*given, **named)
 
 
 def _frame(studio: Studio, document: Document, language: str) -> dict[str, Any]:

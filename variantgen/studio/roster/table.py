@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import threading
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -63,6 +64,7 @@ class ClassTables:
 
     def __init__(self, workspace: Workspace) -> None:
         self._workspace = workspace
+        self.lock = threading.Lock()  # of whoever reads the table to change it
         self._parsed: tuple[str, list[Worksheet]] = ("", [])
 
     def _place(self, name: str) -> Path:

@@ -4,10 +4,11 @@ import { $, all, complain, edit, el, exam, fill, get, icon, lang, note, post } f
 if ($("new")) begin(); else work();
 
 function begin() {
+  $("new").elements.other.addEventListener("change", event => { event.target.closest("label").querySelector("input").checked = true; });
   $("new").addEventListener("submit", async event => {
     event.preventDefault();
     const given = new FormData(event.target);
-    try { location.search = (await post("/author/new", { name: given.get("name"), start: given.get("start") })).address; } catch (error) { $("refused").textContent = error.message; $("refused").hidden = false; }
+    try { location.search = (await post("/author/new", { name: given.get("name"), start: given.get(given.get("start") === "other" ? "other" : "start") })).address; } catch (error) { $("refused").textContent = error.message; $("refused").hidden = false; }
   });
 }
 
