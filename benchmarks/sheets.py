@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from variantgen.builder.build_spec import BuildSpec, preloaded
@@ -27,4 +28,5 @@ def drawn_sheets(exam: Exam, students: Sequence[Student]) -> tuple[Sheet, ...]:
         preloaded(spec, exam, engine),
     ):
         draw_all(exam, students, spec, parts, InlineWorkers(), lambda stage, done, total: None)
-        return tuple(StoredSheets(exam, students, parts))
+        # Their problems are read when they are asked for, and here the parts are gone at the end.
+        return tuple(replace(sheet, items=tuple(sheet.items)) for sheet in StoredSheets(exam, students, parts))

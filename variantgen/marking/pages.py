@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from decimal import Decimal
@@ -31,6 +32,7 @@ FEEDBACK, STATISTICS = "feedback", "statistics.html"
 FILES = (f"{FEEDBACK}/*.html", STATISTICS)
 _VERDICTS = ("right", "follow_through", "wrong", "blank", "unreadable")
 _HIDDEN = ("neighbour", "other")  # the first is a suspicion for the instructor alone
+_DECIMAL = re.compile(r"-?\d+\.\d+")
 _BANDS = 10  # of the shares of points of a class
 
 
@@ -98,13 +100,14 @@ def _answer(finished: Finished, item: MarkedAnswer, language: Language) -> dict[
     return {
         "symbol": _symbol(finished.variant(item.place, item.problem).form, item.answer.quantity, language),
         "unit": Markup(to_mathml(language.unit(item.answer.unit))) if item.answer.unit.name != "1" else "",  # noqa: S704
-        "text": item.text if item.value is None else item.text.replace("-", "\N{MINUS SIGN}"),
+        "text": _typed(item, language),
         "right": _number(str(language.answer(item.answer.quantity, item.answer.value).text), language),
         "verdict": words[item.verdict.value],
         "kind": item.verdict.value,
         "cause": _cause(finished, item, language),
         "points": _number(shown(item.points), language),
         "of": _number(shown(item.of), language),
+        "struck": not item.of,
     }
 
 
@@ -112,6 +115,13 @@ def _answer(finished: Finished, item: MarkedAnswer, language: Language) -> dict[
 def _symbol(form: Form, quantity: Quantity, language: Language) -> Markup:
     """The symbol of a quantity of a form as markup; students of a class have few different ones."""
     return Markup(to_mathml(language.quantity(quantity, dict(form.symbols))))  # noqa: S704
+
+
+def _typed(item: MarkedAnswer, language: Language) -> str:
+    """An answer as it was typed, a plain decimal with the mark of the language: scans are read with a point."""
+    if item.value is None:
+        return item.text
+    return _number(item.text, language) if _DECIMAL.fullmatch(item.text) else item.text.replace("-", "\N{MINUS SIGN}")
 
 
 def _cause(finished: Finished, item: MarkedAnswer, language: Language) -> str:

@@ -97,10 +97,11 @@ async def drop(request: Request) -> Response:
 
 async def say(request: Request) -> Response:
     """An answer that was typed, or the decision on a doubtful reading; its verdict comes back at once."""
-    from variantgen.studio.marking.changes import said
+    from variantgen.studio.marking.changes import command_of, said
 
     data, (folder, marked) = await read_json(request), _marking(request)
-    return JSONResponse(await run_in_threadpool(said, folder, marked, data))
+    found = await run_in_threadpool(said, folder, marked, data)
+    return JSONResponse({**found, "command": command_of(studio_of(request), folder)})
 
 
 async def policy(request: Request) -> Response:
@@ -115,7 +116,7 @@ async def policy(request: Request) -> Response:
 
 async def write(request: Request) -> Response:
     """Write the marks by the command that the page shows."""
-    from variantgen.studio.marking.changes import words_of_command
+    from variantgen.studio.marking.changes import command_of, words_of_command
 
     await read_json(request)
     folder, _ = _marking(request)
@@ -123,7 +124,8 @@ async def write(request: Request) -> Response:
     code, _, said = await run_command(*words)
     if code:
         raise InputError(Problem(said.decode("utf-8", "replace").strip()[-600:]))
-    return JSONResponse({"files": [path.name for path in folder.result()]})
+    files = [path.name for path in folder.result()]
+    return JSONResponse({"files": files, "command": command_of(studio_of(request), folder)})
 
 
 async def result(request: Request) -> Response:

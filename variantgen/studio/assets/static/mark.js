@@ -84,6 +84,7 @@ function see(view) {
 async function say(row, text, undone = false) {
   const { code, problem, quantity } = row.dataset;
   const data = await post(`/${exam}/mark/say?${asked()}`, { code, problem, quantity, text });
+  $("command").textContent = data.command;
   const verdict = row.querySelector(".v"), kind = { right: "right", wrong: "wrong", blank: "blank" }[data.verdict] ?? "doubt";
   verdict.className = `v ${kind}`; verdict.lastChild.textContent = words[`verdict_${data.verdict}`];
   if (undone || data.before && data.before !== text) note(fill(words.changed, { before: data.before || "–", text: text || "–" }), undone ? "" : words.take_back, () => say(row, data.before, true).then(refresh, complain));
@@ -190,7 +191,7 @@ $("which")?.addEventListener("change", event => { location.search = new URLSearc
 $("write")?.addEventListener("click", async event => {
   const button = event.currentTarget;
   button.disabled = true; note(words.writing, "", null, 0);
-  try { await post(`/${exam}/mark/write?${asked()}`, {}); note(words.is_written); await showList(); const results = list.querySelector(".results"); if (results) { results.open = true; results.scrollIntoView(); } } catch (error) { complain(error); }
+  try { $("command").textContent = (await post(`/${exam}/mark/write?${asked()}`, {})).command; note(words.is_written); await showList(); const results = list.querySelector(".results"); if (results) { results.open = true; results.scrollIntoView(); } } catch (error) { complain(error); }
   button.disabled = false;
 });
 if (build) {
