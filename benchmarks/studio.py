@@ -3,7 +3,7 @@
     python -m benchmarks.studio [--moves N] [--building]
 
 A studio is started in a new folder with an exam of one problem; ``first page`` is from the command to the last byte of
-the page, ``gallery`` the cards and all their figures, drawn for the first time and kept, asked for six at a time, as
+the page, ``gallery`` the cards and all their figures, at the first start and later, asked for six at a time, as
 browsers do. Then Chromium moves a slider ``N`` times: from the event to the frame after the new figure
 stands in the page. ``--building`` lets a build of 400 sheets run meanwhile. Prints a Markdown table.
 """
@@ -146,8 +146,8 @@ def main(argv: Sequence[str] | None = None) -> None:
         (folder / "exam.toml").write_text(EXAM)
         rows = [("first page, s", f"{percentile([first_page(folder) for _ in range(_STARTS)], 0.5):.2f}")]
         with studio(folder) as address:
-            rows.append(("gallery, drawn for the first time, s", f"{gallery(address):.2f}"))
-            rows.append(("gallery, kept, s", f"{percentile([gallery(address) for _ in range(3)], 0.5):.2f}"))
+            rows.append(("gallery, first start, s", f"{gallery(address):.2f}"))
+            rows.append(("gallery, later, s", f"{percentile([gallery(address) for _ in range(3)], 0.5):.2f}"))
             command = [sys.executable, "-m", "variantgen", "build", str(folder / "exam.toml"), "--variants", "400"]
             beside = subprocess.Popen([*command, "--out", str(folder / "out")]) if arguments.building else None
             found = moves(address, arguments.moves)

@@ -92,7 +92,15 @@ def _bars(draft: Draft) -> str:
 
 
 def _blocks(draft: Draft) -> str:
+    """A block at the end of its guide, or a link of it that lies along the guide."""
     for point, start, end in draft.inside:
+        guide = draft.z[end] - draft.z[start]
+        for bar in draft.bars:
+            if point in bar and not {start, end} <= set(_members(draft, bar)):
+                far = bar[1] if point == bar[0] else bar[0]
+                angle = abs(math.degrees(np.angle((draft.z[far] - draft.z[point]) / guide)))
+                if min(angle, 180 - angle) < _FOLDED:
+                    return f"{bar[0]}{bar[1]} along the guide of {point}"
         part = ((draft.z[point] - draft.z[start]) / (draft.z[end] - draft.z[start])).real
         if not _MARGIN <= part <= 1 - _MARGIN:
             return f"{point} at the end of its guide"

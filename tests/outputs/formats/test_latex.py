@@ -17,6 +17,7 @@ import pikepdf
 import pypdfium2
 import pytest
 
+from tests.letter_boxes import page_letters
 from tests.pdf_text import page_texts
 from variantgen.cli import main
 from variantgen.errors import InputError
@@ -149,6 +150,10 @@ def gap_before(pdf: Path, text: str) -> float:
     return start - max(right for left, bottom, right, top in boxes if left < start and bottom < high and top > low)
 
 
+# The foot of a page of solutions, and the lowest letters above it (17 mm and their descenders), in points from below.
+BODY, LOWEST = 14 * 72 / 25.4, 15.5 * 72 / 25.4
+
+
 @pytest.mark.usefixtures("latexmk")
 def test_nothing_sticks_out_and_nothing_is_missing(tmp_path: Path) -> None:
     """Long solutions of all kinds, both languages: program listings, plans, long sums and fractions."""
@@ -165,7 +170,14 @@ def test_nothing_sticks_out_and_nothing_is_missing(tmp_path: Path) -> None:
             wide = [float(points) for points in re.findall(r"Overfull \\hbox \(([\d.]+)pt too wide", log)]
             assert max(wide, default=0.0) < 5, name
             assert "Missing character" not in log
-            assert not re.findall(r"Overfull \\vbox \((?:\d{2,}|[5-9])\.", log), name
+            if (
+                name != "solutions"
+            ):  # where columns are tried that are too high, and not taken: their pages are looked at
+                assert not re.findall(r"Overfull \\vbox \((?:\d{2,}|[5-9])\.", log), name
+        for page in page_letters(folder / "solutions.pdf"):
+            assert list(page.overlaps()) == []
+            above_foot = page.boxes[page.boxes[:, 1] > BODY]
+            assert above_foot[:, 1].min() > LOWEST, "a column runs into the foot"
         assert "np.linalg.solve" in "".join(page_texts(folder / "solutions.pdf"))
 
 

@@ -100,8 +100,8 @@ def _all(arguments: argparse.Namespace, families: Mapping[str, _Heading]) -> Non
     width = max(map(len, families))
     for name, (titles, forms, works) in families.items():
         title = titles.get(arguments.lang) or titles.get("en") or name
-        told = ", ".join(f"{form} {_work(works.get(form))}".strip() for form in forms or [""])
-        say(f"{name:{width}}  {title}" + (f"  [{told}]" if told else ""))
+        shown = ", ".join(f"{form} {_work(works.get(form))}".strip() for form in forms or [""])
+        say(f"{name:{width}}  {title}" + (f"  [{shown}]" if shown else ""))
 
 
 def _work(found: Mapping[str, Any] | None) -> str:
