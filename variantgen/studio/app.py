@@ -18,7 +18,7 @@ from variantgen.errors import InputError, VariantgenError
 from variantgen.studio.documents.document import ConflictError, RefusedError
 from variantgen.studio.documents.edits import plain
 from variantgen.studio.frame import error_page, language_of, wants_page
-from variantgen.studio.messages import error_text, in_language, told
+from variantgen.studio.messages import error_text, explained, in_language
 from variantgen.studio.pages import PAGES
 from variantgen.studio.requests import studio_of
 from variantgen.studio.security import BodyError, Guard
@@ -77,12 +77,12 @@ async def _refusal(request: Request, error: VariantgenError) -> Response:
         return JSONResponse({"conflict": error.path, **values, "moved": error.moved}, 409)
     language = language_of(request)
     if isinstance(error, RefusedError):
-        return JSONResponse({"problems": [told(problem, language) for problem in error.problems]}, 422)
+        return JSONResponse({"problems": [explained(problem, language) for problem in error.problems]}, 422)
     status = 404 if isinstance(error, UnknownKeyError) else 400
     if wants_page(request):
         return error_page(request, status, error_text(error, language))
     problems = error.problems if isinstance(error, InputError) else ()
-    found = [told(problem, language) for problem in problems]
+    found = [explained(problem, language) for problem in problems]
     text = error_text(error, language)
     return JSONResponse({"problems": found or [{"key": "", "message": text, "remedy": "", "line": 0}]}, status)
 

@@ -148,7 +148,7 @@ def _shown(variant: Any, language: str) -> dict[str, Any]:
     from variantgen.wording.statement import given
 
     spoken = load_language(language)
-    told = [
+    found = [
         Equation(
             spoken.quantity(answer.quantity, variant.form.symbols),
             Measured(spoken.answer(answer.quantity, answer.value), spoken.unit(answer.unit)),
@@ -156,7 +156,7 @@ def _shown(variant: Any, language: str) -> dict[str, Any]:
         for answer in answers(variant)
     ]
     data = given(variant, asked_quantities(variant), spoken)
-    return {"figure": drawn(variant, language), "given": [*map(to_html, data)], "answers": [*map(to_html, told)]}
+    return {"figure": drawn(variant, language), "given": [*map(to_html, data)], "answers": [*map(to_html, found)]}
 
 
 def _told(variant: Any, language: str) -> str:

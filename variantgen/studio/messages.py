@@ -30,7 +30,7 @@ def in_language(text: str, language: str) -> str:
     return text
 
 
-def told(problem: Any, language: str) -> dict[str, Any]:
+def explained(problem: Any, language: str) -> dict[str, Any]:
     """A problem or a mistake as pages show it."""
     known = {"key": problem.key, "line": getattr(problem, "line", 0)}
     return {**known, **{name: in_language(getattr(problem, name), language) for name in ("message", "remedy")}}

@@ -59,8 +59,8 @@ def columns(measured: Darkness) -> list[list[Column]]:
     if (crossed & marks).sum() > _CROSSES * marks.sum():
         crossed[:] = False  # this is how the student marks
     clear = np.all(measured.beside > max(_CLEAR * usual, _LEAST_CLEAR), axis=-1)
-    for dark, out, told in zip(measured.bubbles, crossed, clear, strict=True):
-        found.append([_column(dark[places], out[places], told[places], usual, noise) for places in _places()])
+    for dark, out, firm in zip(measured.bubbles, crossed, clear, strict=True):
+        found.append([_column(dark[places], out[places], firm[places], usual, noise) for places in _places()])
     writes = _writes(found, written)
     if writes:
         found = [_with_boxes(own, boxes) for own, boxes in zip(found, written, strict=True)]

@@ -18,7 +18,7 @@ from variantgen.marking.scan.pictures import is_picture
 from variantgen.studio.frame import command
 from variantgen.studio.marking.folder import RESULT, REVIEW, TYPED, MarkingFolder
 from variantgen.studio.marking.marked import MarkedBuild
-from variantgen.studio.marking.views import Words, effect, policy_fields, with_fields
+from variantgen.studio.marking.views import MarkWords, effect, policy_fields, with_fields
 from variantgen.studio.requests import number_of, text_of
 from variantgen.studio.studio import Studio, UnknownKeyError
 
@@ -105,7 +105,7 @@ def with_policy(folder: MarkingFolder, marked: MarkedBuild, data: dict[str, Any]
         raise InputError(Problem("expected rules", key="fields"))
     fields = {name: _rule(name, text) for name, text in given.items()}
     rules: MarkingPolicy = with_fields(found.policy, fields)
-    answer = effect(found.marked, found.by_policy(rules), Words(found, language))
+    answer = effect(found.marked, found.by_policy(rules), MarkWords(found, language))
     if data.get("use") is True:
         folder.write_policy(rules)
     return answer

@@ -28,7 +28,7 @@ _LISTED = 300
 _BANDS = 10
 
 
-class Words:
+class MarkWords:
     """Numbers, symbols and causes in the language of the page."""
 
     def __init__(self, found: MarkedClass, language: str) -> None:
@@ -67,7 +67,7 @@ class Words:
         return self.number(f"{value} ± {item.answer.tolerance:.2g}")
 
 
-def queue(found: MarkedClass, words: Words) -> list[dict[str, Any]]:
+def queue(found: MarkedClass, words: MarkWords) -> list[dict[str, Any]]:
     """The class by group and name: points, how many answers wait, whether anything was handed in."""
     places = {total.student.id: place for place, total in enumerate(found.marked.totals)}
     waiting = Counter(place for place, _, _ in found.doubtful)
@@ -94,7 +94,7 @@ def questions(found: MarkedClass) -> list[dict[str, Any]]:
     ]
 
 
-def student(found: MarkedClass, code: str, words: Words) -> dict[str, Any]:
+def student(found: MarkedClass, code: str, words: MarkWords) -> dict[str, Any]:
     """One student: the answers problem by problem."""
     place = found.place(code)
     total = found.marked.totals[place]
@@ -122,7 +122,7 @@ def student(found: MarkedClass, code: str, words: Words) -> dict[str, Any]:
     }
 
 
-def question(found: MarkedClass, problem: int, name: str, words: Words) -> list[dict[str, Any]]:
+def question(found: MarkedClass, problem: int, name: str, words: MarkWords) -> list[dict[str, Any]]:
     """One question across the class, in the order of the list; those that wait come first."""
     by_id = {found.marked.totals[item.place].student.id: item for item in found.marked.marks if item.problem == problem
              and item.answer.quantity.name == name}  # fmt: skip
@@ -135,7 +135,7 @@ def question(found: MarkedClass, problem: int, name: str, words: Words) -> list[
     return sorted(rows, key=lambda row: not row["doubtful"])
 
 
-def answer(found: MarkedClass, item: MarkedAnswer, words: Words) -> dict[str, Any]:
+def answer(found: MarkedClass, item: MarkedAnswer, words: MarkWords) -> dict[str, Any]:
     """One answer as a row."""
     asked = item.place, item.problem, item.answer.quantity.name
     doubt = found.doubtful.get(asked)
@@ -160,7 +160,7 @@ def answer(found: MarkedClass, item: MarkedAnswer, words: Words) -> dict[str, An
     }
 
 
-def class_in(found: MarkedClass, problem: int, words: Words) -> dict[str, Any]:
+def class_in(found: MarkedClass, problem: int, words: MarkWords) -> dict[str, Any]:
     """What the class made of a problem: how often each verdict, each cause."""
     own = [item for item in found.marked.marks if item.problem == problem]
     handed = [item for item in own if found.marked.totals[item.place].handed_in]
@@ -178,7 +178,7 @@ def class_in(found: MarkedClass, problem: int, words: Words) -> dict[str, Any]:
     return {"number": problem, "answers": len(handed), "rows": shares}
 
 
-def class_view(found: MarkedClass, words: Words) -> dict[str, Any]:
+def class_view(found: MarkedClass, words: MarkWords) -> dict[str, Any]:
     """All problems, the points of the class, what was not matched."""
     mirrored = {
         (place, problem.number)
@@ -258,7 +258,7 @@ def with_fields(policy: MarkingPolicy, fields: Mapping[str, Decimal]) -> Marking
     )
 
 
-def effect(before: Marked, now: Marked, words: Words) -> dict[str, Any]:
+def effect(before: Marked, now: Marked, words: MarkWords) -> dict[str, Any]:
     """Whose points are others by other rules."""
     changed: Sequence[tuple[StudentTotal, StudentTotal]] = [
         (old, new) for old, new in zip(before.totals, now.totals, strict=True) if old.points != new.points

@@ -17,7 +17,7 @@ from variantgen.studio.catalogue import cards
 from variantgen.studio.documents.document import Document
 from variantgen.studio.documents.edits import plain
 from variantgen.studio.frame import build_command, language_of, part, render
-from variantgen.studio.messages import told
+from variantgen.studio.messages import explained
 from variantgen.studio.requests import document_of, number_of, read_json, studio_of, text_of
 from variantgen.studio.summary import summary
 from variantgen.studio.words import page_words
@@ -69,7 +69,7 @@ async def check(request: Request) -> Response:
         write_whole(kept, json.dumps({"text": text, "version": version}))
     else:
         kept.unlink(missing_ok=True)
-    return JSONResponse({"mistakes": [told(mistake, language_of(request)) for mistake in found]})
+    return JSONResponse({"mistakes": [explained(mistake, language_of(request)) for mistake in found]})
 
 
 async def draft(request: Request) -> Response:
@@ -109,7 +109,7 @@ def _source(document: Document, language: str) -> dict[str, Any]:
         "text": state.text,
         "version": state.version,
         "lines": lines,
-        "mistakes": [told(mistake, language) for mistake in document.mistakes()],
+        "mistakes": [explained(mistake, language) for mistake in document.mistakes()],
     }
 
 

@@ -191,9 +191,9 @@ def _place(found: MarkedClass, request: Request) -> int:
 
 
 def _listing(request: Request, folder: MarkingFolder, found: MarkedClass, language: str) -> str:
-    from variantgen.studio.marking.views import Words, questions, queue
+    from variantgen.studio.marking.views import MarkWords, questions, queue
 
-    words = Words(found, language)
+    words = MarkWords(found, language)
     students = queue(found, words)
     names = folder.names()
     faults = {name: error_text(error, language) for name, error in found.faults.items()}
@@ -231,7 +231,7 @@ def _note(request: Request, folder: MarkingFolder, state: dict[str, int]) -> Non
 def _shown(request: Request, folder: MarkingFolder, found: MarkedClass, language: str) -> str:
     from variantgen.studio.marking import views
 
-    words, query = views.Words(found, language), request.query_params
+    words, query = views.MarkWords(found, language), request.query_params
     common = {
         "build": folder.build.key,
         "exam": request.path_params["exam"],

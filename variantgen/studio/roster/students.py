@@ -38,7 +38,7 @@ _ALIKE = 0.85  # of two names, from which on they may be the same misspelt
 
 
 @dataclass(frozen=True)
-class Question:
+class RowQuestion:
     """What is asked of a row (by its tab and number) or of an id; ``key`` is that of its answer."""
 
     key: str
@@ -54,7 +54,7 @@ class ClassReading:
     """The students of a table, what is asked, the rows that are left out, the tabs without a column for names."""
 
     students: tuple[Student, ...]
-    questions: tuple[Question, ...]
+    questions: tuple[RowQuestion, ...]
     left: frozenset[tuple[int, int]]
     nameless: tuple[int, ...]
     groups: Mapping[str, int] = field(default_factory=dict)
@@ -94,7 +94,7 @@ class _Reading:
         self._answers = answers
         self._seen: set[str] = set()
         self.students: list[Student] = []
-        self.questions: list[Question] = []
+        self.questions: list[RowQuestion] = []
         self.left: set[tuple[int, int]] = set()
 
     def read(self, place: int, tab: Tab, several: bool) -> None:
@@ -146,7 +146,7 @@ class _Reading:
         key = f"row:{row[0]}:{row[1]}:{kind}"
         answer = self._answers.get(key, "")
         if answer not in ANSWERS[kind]:
-            self.questions.append(Question(key, kind, text, row))
+            self.questions.append(RowQuestion(key, kind, text, row))
             return ""
         return answer
 
@@ -163,7 +163,7 @@ class _Reading:
             if answer == "same":
                 self.students[place] = replace(now, id=old.id)
             elif answer != "new":
-                self.questions.append(Question(key, "same", now.id, before=old, now=now))
+                self.questions.append(RowQuestion(key, "same", now.id, before=old, now=now))
 
 
 def _pairs(new: Sequence[tuple[int, Student]], gone: Sequence[Student]) -> Iterator[tuple[int, Student]]:
