@@ -177,3 +177,31 @@ def test_links_are_not_written_through(client: Asking, folder: Path) -> None:
     bring(client, "name\nBob Ray\n")
     assert client.post("/exam/roster/use", {}).status == 400
     assert outside.read_text() == "name\nAnn Lee\n"
+
+
+def test_no_list_is_lost_when_lists_are_taken_back(client: Asking, folder: Path) -> None:
+    """Only what the studio has written is taken back, to what was there before it, in the order of its steps."""
+    path, own = folder / "roster.csv", "id,name\n7,By Hand\n"
+
+    def used(name: str) -> str:
+        bring(client, f"id,name\nx1,{name}\n")
+        found: str = client.post("/exam/roster/use", {}).json()["list"]
+        return found
+
+    def back(of: str) -> int:
+        return client.post("/exam/roster/back", {"list": of}).status
+
+    path.write_text(own)
+    assert back("") == 400 and path.read_text() == own  # nothing was ever written
+    one, two = used("Ann Lee"), used("Bob Ray")
+    assert back(one) == 400 and "Bob Ray" in path.read_text()  # another window was the last
+    path.write_text(path.read_text() + "x2,Cem Hand,\n")
+    assert back(two) == 400 and "Cem Hand" in path.read_text()  # changed by hand since
+    assert "Cem Hand" in client.get("/exam/roster/shown").text
+    three = used("Dee Fox")
+    assert [back(three), back(three)] == [200, 400] and "Cem Hand" in path.read_text()
+    path.unlink()
+    four = used("Eve Roe")
+    assert [back(four), back(four)] == [200, 400] and not path.exists()
+    kept = [each.read_text() for each in (folder / ".studio" / "roster" / "lists").iterdir()]
+    assert own in kept and any("Eve Roe" in each for each in kept)

@@ -19,7 +19,7 @@ from variantgen.studio.requests import document_of, number_of, read_json, read_u
 from variantgen.studio.studio import Studio
 from variantgen.studio.summary import summary
 from variantgen.studio.words import page_words
-from variantgen.studio.workspace import ROSTER, write_whole
+from variantgen.studio.workspace import write_whole
 
 if TYPE_CHECKING:
     from variantgen.studio.roster.table import ClassTables, Tab
@@ -68,15 +68,15 @@ async def use(request: Request) -> Response:
     """Write the class list; the one before can be taken back."""
     await read_json(request)
     studio, document = studio_of(request), document_of(request)
-    count = await run_in_threadpool(_alone, studio.class_tables, _written, studio, document)
-    return JSONResponse({"students": count, **_frame(studio, document, language_of(request))})
+    count, written = await run_in_threadpool(_alone, studio.class_tables, _written, studio, document)
+    return JSONResponse({"students": count, "list": written, **_frame(studio, document, language_of(request))})
 
 
 async def back(request: Request) -> Response:
-    """Put the class list back that was there before."""
-    await read_json(request)
+    """Put the class list back that was there before the one of a SHA-256 was used."""
+    data = await read_json(request)
     studio, document = studio_of(request), document_of(request)
-    await run_in_threadpool(_alone, studio.class_tables, _put_back, studio)
+    await run_in_threadpool(_alone, studio.class_tables, _put_back, studio, text_of(data, "list"))
     return JSONResponse(_frame(studio, document, language_of(request)))
 
 
@@ -137,47 +137,37 @@ def _changed(tab: Tab, data: dict[str, Any]) -> Tab:
     return replace(tab, kinds=tuple(kinds))
 
 
-def _written(studio: Studio, document: Document) -> int:
-    """Write the class list of the table that was brought; the number of students. Raises InputError."""
+def _written(studio: Studio, document: Document) -> tuple[int, str]:
+    """Write the class list of the table that was brought; the number of students, the SHA-256. Raises InputError."""
     from variantgen.exam.roster import read_class
+    from variantgen.studio.roster.lists import write_list
     from variantgen.studio.roster.students import read_students, roster_csv
-    from variantgen.studio.roster.table import file_hash
     from variantgen.studio.roster.view import last_build, students_of
 
     table = studio.class_tables.current()
     reading = read_students(table, students_of(last_build(studio, document))) if table else None
     if table is None or reading is None or not reading.is_ready:
         raise InputError(Problem("the table still has questions", remedy="answer them first"))
-    workspace = studio.workspace
-    before, path, trial = workspace.roster(), workspace.folder / ROSTER, workspace.state("roster", "trial.csv")
-    text = roster_csv(reading.students)
+    trial, text = studio.workspace.state("roster", "trial.csv"), roster_csv(reading.students)
     write_whole(trial, text)
     try:
         found = read_class(trial)  # as a build reads it: what it would refuse is not written
     finally:
         trial.unlink(missing_ok=True)
-    old = workspace.state("roster", "before.csv")
-    if before is None:
-        old.unlink(missing_ok=True)
-    else:
-        write_whole(old, before.read_bytes())
-    write_whole(path, text)
+    is_brought = studio.class_tables.is_brought()
+    written = write_list(studio.workspace, text)
     studio.class_tables.remember(table)
-    if studio.class_tables.is_brought():
-        studio.class_tables.say(replace(table, taken=file_hash(path)))
-    return len(found.students)
+    if is_brought:
+        studio.class_tables.say(replace(table, taken=written))
+    return len(found.students), written
 
 
-def _put_back(studio: Studio) -> None:
-    """Let the class list be as it was before the last one was used."""
-    workspace = studio.workspace
-    old, path = workspace.state("roster", "before.csv"), workspace.roster()
+def _put_back(studio: Studio, written: str) -> None:
+    """Let the class list be as it was before the one of a SHA-256 was used. Raises InputError."""
+    from variantgen.studio.roster.lists import take_back
+
     table = studio.class_tables.current() if studio.class_tables.is_brought() else None
-    if old.is_file():
-        write_whole(workspace.folder / ROSTER, old.read_bytes())
-        old.unlink()
-    elif path is not None:
-        path.unlink()
+    take_back(studio.workspace, written)
     if table is not None:
         studio.class_tables.say(replace(table, taken=""))
 

@@ -75,7 +75,7 @@ use.addEventListener("click", async () => {
   try {
     const data = await post(`/${exam}/roster/use`, {});
     around(data); await show();
-    note(words.written, words.take_back, async () => { try { around(await post(`/${exam}/roster/back`, {})); await show(); } catch (error) { complain(error); } });
+    note(words.written, words.take_back, async () => { try { around(await post(`/${exam}/roster/back?lang=${lang}`, { list: data.list })); await show(); } catch (error) { complain(error); } });
   } catch (error) { complain(error); await show(); }
 });
 await show();
