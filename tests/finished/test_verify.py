@@ -184,7 +184,7 @@ def test_what_differs_is_said(out: Path, capsys: pytest.CaptureFixture[str]) -> 
         (lambda m: m.pop("seed"), ["seed", "missing"]),
         (lambda m: m["students"][0]["problems"][0].update(family="spool"), ["no such problem", "spool"]),
         (lambda m: m["students"][0]["problems"][0]["pose"].update(quarter_turns=7), ["quarter_turns", "0 to 3"]),
-        (lambda m: m["students"][0]["problems"][0].update(attempt=-3), ["students[1].problems[1].attempt", "1 or more"]),
+        (lambda m: m["students"][0]["problems"][0].update(attempt=-3), ["problems[1].attempt", "1 or more"]),
         (lambda m: answer(m).update(tolerance=float("nan")), ["NaN is no finite number"]),
     ],
 )
