@@ -71,8 +71,8 @@ def take(folder: MarkingFolder, marked: MarkedBuild, incoming: Path, name: str) 
 def said(folder: MarkingFolder, marked: MarkedBuild, data: dict[str, Any]) -> dict[str, Any]:
     """Write an answer; returns what stands then, whether that is of a file, and what was typed before.
 
-    Where nothing or only a dash is typed the answer of a file stands. Raises InputError and UnknownKeyError for one that the
-    exam does not ask.
+    Where nothing or only a dash is typed the answer of a file stands. Raises InputError and UnknownKeyError for one
+    that the exam does not ask.
     """
     found = marked.current()
     code, name = text_of(data, "code", 40), text_of(data, "quantity", 80)

@@ -50,7 +50,7 @@ class MarkingFolder:
 
     def __init__(self, workspace: Workspace, build: FinishedBuild) -> None:
         self._workspace, self.build = workspace, build
-        self.lock = threading.Lock()  # of whoever changes a file by what it says
+        self.lock = threading.RLock()  # of whoever changes a file by what it says
         self.path = workspace.folder / "marks" / build.folder.name
         for place in (self.path.parent, self.path, self.path / RESULT, self.path / BIN):
             if place.is_symlink():
@@ -100,24 +100,26 @@ class MarkingFolder:
 
     def remove(self, name: str) -> str:
         """Put a file into the bin, and return its name there. Raises InputError for what is no file of a marking."""
-        own = [path for known in (TYPED, REVIEW, POLICY) for path in self._own(known)]
-        path = next((path for path in (*self.brought(), *own) if path.name == name), None)
-        if path is None:
-            raise InputError(Problem("there is no such file", value=name[:40]))
-        home = self.path / BIN
-        home.mkdir(exist_ok=True)
-        number = 1 + max((int(kept[1]) for old in home.iterdir() if (kept := _KEPT.fullmatch(old.name))), default=0)
-        path.rename(home / f"{number}-{name}")
-        return f"{number}-{name}"
+        with self.lock:
+            own = [path for known in (TYPED, REVIEW, POLICY) for path in self._own(known)]
+            path = next((path for path in (*self.brought(), *own) if path.name == name), None)
+            if path is None:
+                raise InputError(Problem("there is no such file", value=name[:40]))
+            home = self.path / BIN
+            home.mkdir(exist_ok=True)
+            number = 1 + max((int(kept[1]) for old in home.iterdir() if (kept := _KEPT.fullmatch(old.name))), default=0)
+            path.rename(home / f"{number}-{name}")
+            return f"{number}-{name}"
 
     def restore(self, kept: str) -> None:
         """Take a file out of the bin; what has its place goes there. Raises InputError for another name."""
         found, path = _KEPT.fullmatch(kept), self.path / BIN / kept
-        if found is None or not path.is_file() or path.is_symlink():
-            raise InputError(Problem("there is no such file", value=kept[:40]))
-        if self._own(found[2]):
-            self.remove(found[2])
-        path.rename(self.path / found[2])
+        with self.lock:
+            if found is None or not path.is_file() or path.is_symlink():
+                raise InputError(Problem("there is no such file", value=kept[:40]))
+            if self._own(found[2]):
+                self.remove(found[2])
+            path.rename(self.path / found[2])
 
     def written(self, name: str, asked: Collection[Asked]) -> dict[Asked, str]:
         """What the studio has written into ``typed.csv`` or ``review.csv``, by question; ``asked`` are all of them.

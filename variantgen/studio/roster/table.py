@@ -1,6 +1,7 @@
 """A table of a class as it was brought, on disk, with what the instructor has said of it.
 
 It lies in ``.studio/roster``: ``table`` holds its bytes, ``said.json`` its name, the columns, the answers to questions.
+``uploads`` keeps both of every table that another one took the place of, by ``key``.
 ``columns.json`` remembers what columns were said to be by their heads, so that the next list is read the same way.
 """
 
@@ -8,6 +9,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import re
 import threading
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -26,6 +28,7 @@ from variantgen.studio.workspace import ROSTER, Workspace, write_whole
 KINDS = ("", "name", *NAME_PARTS, "id", "group")
 _ANSWERS = 5000
 _LONGEST = 400
+_KEY = 16  # digits of a hash that name a table or a version
 
 
 @dataclass(frozen=True)
@@ -75,6 +78,7 @@ class ClassTables:
         before = self._said().get("answers", {})
         kept = {key: text for key, text in _texts(before).items() if key.startswith("id:")}
         sheets = self._worksheets(content, name)
+        self._keep()
         write_whole(self._place("table"), content)
         found = ClassTable(name, self._guessed(sheets), kept)
         self._write(found)
@@ -92,10 +96,39 @@ class ClassTables:
         """Keep what was said of the table that was brought."""
         self._write(table)
 
-    def drop(self) -> None:
-        """Forget the table that was brought; the class list stays."""
-        for name in ("table", "said.json"):
-            self._place(name).unlink(missing_ok=True)
+    def key(self) -> str:
+        """By what the table that was brought is kept when another takes its place; '' without one."""
+        return self._key() if self.is_brought() else ""
+
+    def version(self) -> str:
+        """What changes with the table, with what is said of it and with the class list."""
+        own = (self._place("table"), self._place("said.json"), self._workspace.roster())
+        return hashlib.sha256(" ".join(file_hash(path) for path in own).encode()).hexdigest()[:_KEY]
+
+    def take(self, key: str) -> None:
+        """Let the table of a key be the one that was brought, or none for ''; the one before is kept."""
+        place = self._place("uploads")
+        if key and (not re.fullmatch(r"[0-9a-f]+", key) or not (place / key).is_file()):
+            raise InputError(Problem("there is no such table", remedy="bring it again"))
+        content, said = (place / key).read_bytes() if key else b"", _json(place / f"{key}.json")
+        self._keep()
+        if not key:
+            self._place("table").unlink(missing_ok=True)
+            self._place("said.json").unlink(missing_ok=True)
+            return
+        if said.get("taken") != file_hash(self._workspace.roster()):
+            said["taken"] = ""
+        write_whole(self._place("table"), content)
+        write_whole(self._place("said.json"), json.dumps(said, ensure_ascii=False))
+
+    def _key(self) -> str:
+        return file_hash(self._place("table"))[:_KEY]
+
+    def _keep(self) -> None:
+        """Keep the table that is there, with what was said of it."""
+        for name, kept in (("table", self._key()), ("said.json", f"{self._key()}.json")):
+            if self._place(name).is_file():
+                write_whole(self._workspace.state("roster", "uploads", kept), self._place(name).read_bytes())
 
     def adopt(self) -> ClassTable | None:
         """Treat the class list as a table that was brought, so that it can be changed by sight."""
@@ -160,7 +193,7 @@ class ClassTables:
 
 def file_hash(path: Path | None) -> str:
     """The SHA-256 of a file; '' without one."""
-    return hashlib.sha256(path.read_bytes()).hexdigest() if path else ""
+    return hashlib.sha256(path.read_bytes()).hexdigest() if path and path.is_file() else ""
 
 
 def _guess(sheet: Worksheet, known: Mapping[str, str]) -> Tab:
