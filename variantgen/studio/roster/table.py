@@ -237,8 +237,9 @@ def _guess(sheet: Worksheet, known: Mapping[str, str], number: str) -> Tab:
     except InputError:
         begin, kinds = by_looks([cells for _, cells in sheet.rows], width)
         return Tab(sheet.title, sheet.rows, begin, kinds, "name" in kinds)
-    kinds = {kind: kind for kind in columns.places} | ({"number": ""} if "id" in columns.places else {"number": number})
-    found = {place: kinds[kind] for kind, place in columns.places.items()}
+    found = {place: kind for kind, place in columns.places.items()}
+    if "number" in columns.places:
+        found[columns.places["number"]] = "" if "id" in columns.places else number
     return Tab(sheet.title, sheet.rows, columns.row + 1, tuple(found.get(i, "") for i in range(width)), True)
 
 
