@@ -6,6 +6,7 @@ differentiating numerically (:mod:`variantgen.mechanism.verify`), which shares n
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import islice, tee
@@ -13,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
-from variantgen.exam.manifest import NAME, RecordedAnswer, RecordedProblem, RecordedSheet
+from variantgen.exam.manifest import NAME, Manifest, RecordedAnswer, RecordedProblem, RecordedSheet
 from variantgen.families.asking import read_ask
 from variantgen.families.quantities import Quantity, motion_order
 from variantgen.finished.restore import Finished
@@ -46,6 +47,7 @@ class VerificationReport:
 def verify(finished: Finished, folder: Path) -> VerificationReport:
     """Compute every answer again and look whether the files are as they were built."""
     faults, edited = _files(finished, folder)
+    faults += _students(finished.record)
     largest, count = 0.0, 0
     sheets, same = tee(replace(sheet, problems=tuple(sheet.problems)) for sheet in finished.record.sheets)
     pairs = zip(sheets, finished.variants(same), strict=True)
@@ -137,6 +139,22 @@ def _largest(quantity: Quantity, motion: Motion) -> np.ndarray:
     points = (motion.v if quantity.order == 1 else motion.a).values()
     largest = np.max([np.abs(x) for x in points], axis=0)
     return np.asarray(largest / motion.length_scale() if quantity.is_rotation else largest)
+
+
+def _students(record: Manifest) -> list[str]:
+    """Codes and ids that several students have, and that the entries of students are not as they were built."""
+    faults = [
+        f"{NAME}: {count} students have the {what} {value}"
+        for what, values in (
+            ("id", Counter(sheet.student.id for sheet in record.sheets)),
+            ("code", Counter(sheet.code for sheet in record.sheets)),
+        )
+        for value, count in values.items()
+        if count > 1
+    ]
+    if record.students_changed:
+        faults.append(f"{NAME}: the students have been changed since the build; restore it from a copy")
+    return faults
 
 
 def _files(finished: Finished, folder: Path) -> tuple[list[str], list[str]]:
