@@ -19,6 +19,7 @@ from variantgen.marking.diagnosis.causes import OTHER, Cause
 from variantgen.marking.marks import Marked, MarkedAnswer, StudentTotal, Verdict
 from variantgen.marking.words import cause_in_words
 from variantgen.studio.marking.marked import MarkedClass
+from variantgen.studio.messages import in_language
 from variantgen.wording.language import Language, load_language
 from variantgen.wording.mathml import to_mathml
 
@@ -35,6 +36,11 @@ class MarkWords:
         self._found = found
         self.language: Language = load_language(language)
         self.marking = self.language.words("marking")
+        self._name = language
+
+    def told(self, message: str) -> str:
+        """A message of the program."""
+        return in_language(message, self._name)
 
     def number(self, text: str) -> str:
         """A number with the decimal mark and the minus sign of the language."""
@@ -213,7 +219,10 @@ def class_view(found: MarkedClass, words: MarkWords) -> dict[str, Any]:
             }
             for own in facts.problems
         ],
-        "left": [vars(item) for item in found.marked.not_matched[:_LISTED]],
+        "left": [
+            {"where": item.where, "text": item.text, "why": words.told(item.why), "remedy": words.told(item.remedy)}
+            for item in found.marked.not_matched[:_LISTED]
+        ],
         "policy": policy_fields(found.policy),
     }
 
@@ -240,9 +249,9 @@ def _parts(found: MarkedClass, problem: int) -> list[dict[str, Any]]:
 
 def policy_fields(policy: MarkingPolicy) -> dict[str, str]:
     """The rules as the fields of the page have them: percents, steps."""
-    fields = {"tolerance": f"{policy.tolerance}", "follow_through": f"{(100 * policy.follow_through).normalize():f}"}
+    fields = {"tolerance": f"{policy.tolerance:f}", "follow_through": f"{(100 * policy.follow_through).normalize():f}"}
     fields |= {cause: f"{(100 * policy.shares.get(cause, Decimal(0))).normalize():f}" for cause in RULES}
-    return {**fields, "problem_step": f"{policy.problem_step}", "total_step": f"{policy.total_step}"}
+    return {**fields, "problem_step": f"{policy.problem_step:f}", "total_step": f"{policy.total_step:f}"}
 
 
 def with_fields(policy: MarkingPolicy, fields: Mapping[str, Decimal]) -> MarkingPolicy:

@@ -13,7 +13,7 @@ from starlette.routing import Route
 
 from variantgen.errors import InputError, Problem
 from variantgen.limits import ROSTER_BYTES
-from variantgen.studio.documents.document import Document
+from variantgen.studio.documents.document import ConflictError, Document
 from variantgen.studio.frame import build_command, language_of, part, render
 from variantgen.studio.requests import document_of, number_of, read_json, read_upload, studio_of, text_of
 from variantgen.studio.studio import Studio
@@ -52,23 +52,32 @@ async def bring(request: Request) -> Response:
     name = request.query_params.get("name", "")[:200]
     content = await read_upload(request, ROSTER_BYTES)
     tables = studio_of(request).class_tables
-    await run_in_threadpool(_alone, tables, tables.bring, content, name)
-    return JSONResponse({})
+    return JSONResponse(await run_in_threadpool(_alone, tables, _brought, tables, content, name))
 
 
 async def say(request: Request) -> Response:
     """What a column, a row, a worksheet is, or the answer to a question."""
     data = await read_json(request)
     document_of(request)
-    await run_in_threadpool(_alone, studio_of(request).class_tables, _said, studio_of(request), data)
+    studio = studio_of(request)
+    version = await run_in_threadpool(_alone, studio.class_tables, _said, studio, data)
+    return JSONResponse({"version": version})
+
+
+async def take(request: Request) -> Response:
+    """Let a table that was brought before be the one that is looked at, or none."""
+    data = await read_json(request)
+    document_of(request)
+    tables = studio_of(request).class_tables
+    await run_in_threadpool(_alone, tables, _taken, tables, data)
     return JSONResponse({})
 
 
 async def use(request: Request) -> Response:
     """Write the class list; the one before can be taken back."""
-    await read_json(request)
+    data = await read_json(request)
     studio, document = studio_of(request), document_of(request)
-    count, written = await run_in_threadpool(_alone, studio.class_tables, _written, studio, document)
+    count, written = await run_in_threadpool(_alone, studio.class_tables, _written, studio, document, data)
     return JSONResponse({"students": count, "list": written, **_frame(studio, document, language_of(request))})
 
 
@@ -92,8 +101,34 @@ def _frame(studio: Studio, document: Document, language: str) -> dict[str, Any]:
     return {"under": summary(words, studio, document), "command": build_command(studio, document)}
 
 
-def _said(studio: Studio, data: dict[str, Any]) -> None:
-    """Keep what is said of the table. Raises InputError for what does not fit."""
+def _compare(tables: ClassTables, data: dict[str, Any]) -> None:
+    """Raise ConflictError where the table is no longer as the window that asks has seen it."""
+    if text_of(data, "version") != tables.version():
+        now = tables.current()
+        raise ConflictError("table", "", now.name if now else "")
+
+
+def _brought(tables: ClassTables, content: bytes, name: str) -> dict[str, str]:
+    """Bring a table; the key of the one before."""
+    before = tables.key()
+    tables.bring(content, name)
+    return {"before": before}
+
+
+def _taken(tables: ClassTables, data: dict[str, Any]) -> None:
+    """Put another table in the place of the one that the window has seen. Raises ConflictError, InputError."""
+    _compare(tables, data)
+    tables.take(text_of(data, "table"))
+
+
+def _said(studio: Studio, data: dict[str, Any]) -> str:
+    """Keep what is said of the table; its new version. Raises ConflictError, InputError for what does not fit."""
+    _compare(studio.class_tables, data)
+    _say(studio, data)
+    return studio.class_tables.version()
+
+
+def _say(studio: Studio, data: dict[str, Any]) -> None:
     from variantgen.studio.roster.students import ANSWERS
 
     if not studio.class_tables.is_brought():
@@ -137,13 +172,17 @@ def _changed(tab: Tab, data: dict[str, Any]) -> Tab:
     return replace(tab, kinds=tuple(kinds))
 
 
-def _written(studio: Studio, document: Document) -> tuple[int, str]:
-    """Write the class list of the table that was brought; the number of students, the SHA-256. Raises InputError."""
+def _written(studio: Studio, document: Document, data: dict[str, Any]) -> tuple[int, str]:
+    """Write the class list of the table that was brought; the number of students, the SHA-256.
+
+    Raises ConflictError where the window has seen another table, InputError.
+    """
     from variantgen.exam.roster import read_class
     from variantgen.studio.roster.lists import write_list
     from variantgen.studio.roster.students import read_students, roster_csv
     from variantgen.studio.roster.view import last_build, students_of
 
+    _compare(studio.class_tables, data)
     table = studio.class_tables.current()
     reading = read_students(table, students_of(last_build(studio, document))) if table else None
     if table is None or reading is None or not reading.is_ready:
@@ -177,6 +216,7 @@ ROUTES = [
     Route("/{exam}/roster/shown", shown),
     Route("/{exam}/roster/table", bring, methods=["PUT"]),
     Route("/{exam}/roster/say", say, methods=["POST"]),
+    Route("/{exam}/roster/take", take, methods=["POST"]),
     Route("/{exam}/roster/use", use, methods=["POST"]),
     Route("/{exam}/roster/back", back, methods=["POST"]),
 ]

@@ -43,8 +43,9 @@ def look(studio: Studio, document: Document, place: int, language: str) -> dict[
         table, fault = studio.class_tables.current(), ""
     except InputError as error:
         table, fault = None, error_text(error, language)
+    seen = {"key": studio.class_tables.key(), "version": studio.class_tables.version()}
     if table is None:
-        return {"table": None, "fault": fault}
+        return {"table": None, "fault": fault, **seen}
     record = last_build(studio, document)
     reading = read_students(table, students_of(record))
     words = page_words(language)
@@ -52,6 +53,7 @@ def look(studio: Studio, document: Document, place: int, language: str) -> dict[
     shown = min(place, len(table.tabs) - 1)
     return {
         "table": table,
+        **seen,
         "fault": "",
         "file": ROSTER,
         "kinds": KINDS,
