@@ -104,7 +104,31 @@ def neighboured(answers: Sequence[Sequence[Answer]], counts: Counter[str]) -> No
             counts["neighbour alike"] += 1  # the numbers are those of a third student too: nobody can tell
             continue
         counts["neighbour"] += 1
-        counts["neighbour, named"] += near.of(place, wrong) == other
+        counts["neighbour, named"] += near.of(place, wrong) == (
+            other,
+            frozenset(answer.quantity.name for answer, _ in wrong),
+        )
+
+
+def altered(answers: Sequence[Sequence[Answer]], counts: Counter[str]) -> None:
+    """Count how often the sheet of the next student is found with one of its numbers altered, and by random numbers."""
+    near = Neighbours(dict(enumerate(answers)))
+    random = np.random.Generator(np.random.Philox(2))
+    for place, own in enumerate(answers):
+        other = (place + 1) % len(answers)
+        pairs = [pair for pair in zip(own, answers[other], strict=True) if pair[0].quantity.component != "sense"]
+        copied = [(answer, written(theirs.value)) for answer, theirs in pairs]
+        wrong = [(answer, value) for answer, value in copied if value and not is_right(answer, value)]
+        if len({round(abs(value), 9) for _, value in wrong}) == len(wrong) >= 4:
+            changed = random.integers(len(wrong))
+            wrong[changed] = wrong[changed][0], written(1.37 * wrong[changed][1])
+            found = near.of(place, wrong)
+            counts["altered"] += 1
+            counts["altered, named"] += found is not None and found[0] == other
+        chance = [(answer, written(answer.value * 10.0 ** random.uniform(-1.0, 1.0))) for answer, _ in pairs]
+        chance = [(answer, value) for answer, value in chance if value and not is_right(answer, value)]
+        counts["innocent"] += 1
+        counts["innocent, suspected"] += near.of(place, chance) is not None
 
 
 def _chosen(answers: Sequence[Sequence[Answer]], asked: Sequence[Answer]) -> Iterator[list[Answer]]:
@@ -190,6 +214,7 @@ def table(families: Sequence[str], students: int) -> list[str]:
             counts: Counter[str] = Counter()
             named(variants, answers, counts)
             neighboured(answers, counts)
+            altered(answers, counts)
             by_chance(variants[: max(1, count // 4)], answers[: max(1, count // 4)], counts)
             followed(variants[: max(1, count // 5)], answers[: max(1, count // 5)], counts)
             planted_by_equations(variants[: max(1, count // 5)], answers[: max(1, count // 5)], counts)
@@ -202,10 +227,10 @@ def table(families: Sequence[str], students: int) -> list[str]:
             alone += [] if counts["follow"] else [f"{name} {form}".strip()]
             rows.append(row(f"{name} {form}".strip(), counts, causes))
             assert len(asked) == len(answers[0])
-    return [*rows, row("all", total, causes), "", *unshown(few, alone, total["neighbour alike"])]
+    return [*rows, row("all", total, causes), "", *unshown(few, alone, total)]
 
 
-def unshown(few: Sequence[str], alone: Sequence[str], alike: int) -> list[str]:
+def unshown(few: Sequence[str], alone: Sequence[str], total: Counter[str]) -> list[str]:
     """What the table does not show, as a list."""
     return [
         "What this does not show:",
@@ -218,7 +243,10 @@ def unshown(few: Sequence[str], alone: Sequence[str], alike: int) -> list[str]:
         "- Chains are planted by the steps of the solution that follow-through goes again; only its second way is"
         " independent of them.",
         "- Copied sheets that are not counted, as their numbers are within tolerance those of a third student too:"
-        f" {alike}.",
+        f" {total['neighbour alike']}.",
+        "- Copied sheets of four or more wrong numbers, one of them altered, whose neighbour is named:"
+        f" {total['altered, named']} of {total['altered']}; problems of random numbers alone that are taken for a"
+        f" neighbour's: {total['innocent, suspected']} of {total['innocent']}.",
         f"- Under {_LEAST:g} % named: {', '.join(few) or 'nothing'}.",
         f"- No answer follows from another, so that follow-through is not tried: {', '.join(alone) or 'none'}.",
         "- Accused are right answers; for a tenth of the students they and both ends of their tolerances are written in"
