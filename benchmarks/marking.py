@@ -16,12 +16,13 @@ from __future__ import annotations
 
 import argparse
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from itertools import islice
 from pathlib import Path
 
 import numpy as np
 
+from benchmarks.copied_sheets import altered, neighboured
 from benchmarks.dropped_terms import planted_anew
 from benchmarks.planted_answers import planted, spelled, width_of, written
 from variantgen.exam.sheets import Answer, answer_variants
@@ -32,7 +33,6 @@ from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.marking.diagnosis.causes import Comparisons, cause_of
 from variantgen.marking.diagnosis.follow_through import FollowThrough
-from variantgen.marking.diagnosis.neighbours import Neighbours
 from variantgen.marking.diagnosis.plausible_mistakes import of_batch
 from variantgen.marking.key import is_right
 from variantgen.marking.marks import Verdict, verdict_of
@@ -82,61 +82,6 @@ def named(variants: Sequence[Variant], answers: Sequence[Sequence[Answer]], coun
             for text in islice(spelled(answer), None if student % _IN_ALL_WAYS == 0 else 1):
                 counts["right"] += 1
                 counts["right, accused"] += verdict_of(answer, text)[2] is not Verdict.RIGHT
-
-
-def neighboured(answers: Sequence[Sequence[Answer]], counts: Counter[str]) -> None:
-    """Count how often the sheet of the next student, solved in place of the own one, is found."""
-    near = Neighbours(dict(enumerate(answers)))
-    for place, own in enumerate(answers):
-        other = (place + 1) % len(answers)
-        wrong = [
-            (answer, written(copied.value))
-            for answer, copied in zip(own, answers[other], strict=True)
-            if copied.value and answer.quantity.component != "sense" and not is_right(answer, written(copied.value))
-        ]
-        if len({round(abs(value), 9) for _, value in wrong}) < 2:
-            continue
-        if any(
-            all(abs(theirs.value - value) <= theirs.tolerance for theirs, (_, value) in zip(sheet, wrong, strict=True))
-            for k, sheet in enumerate(_chosen(answers, [answer for answer, _ in wrong]))
-            if k not in (place, other)
-        ):
-            counts["neighbour alike"] += 1  # the numbers are those of a third student too: nobody can tell
-            continue
-        counts["neighbour"] += 1
-        counts["neighbour, named"] += near.of(place, wrong) == (
-            other,
-            frozenset(answer.quantity.name for answer, _ in wrong),
-        )
-
-
-def altered(answers: Sequence[Sequence[Answer]], counts: Counter[str]) -> None:
-    """Count how often the sheet of the next student is found with one of its numbers altered, and by random numbers."""
-    near = Neighbours(dict(enumerate(answers)))
-    random = np.random.Generator(np.random.Philox(2))
-    for place, own in enumerate(answers):
-        other = (place + 1) % len(answers)
-        pairs = [pair for pair in zip(own, answers[other], strict=True) if pair[0].quantity.component != "sense"]
-        copied = [(answer, written(theirs.value)) for answer, theirs in pairs]
-        wrong = [(answer, value) for answer, value in copied if value and not is_right(answer, value)]
-        if len({round(abs(value), 9) for _, value in wrong}) == len(wrong) >= 4:
-            changed = random.integers(len(wrong))
-            wrong[changed] = wrong[changed][0], written(1.37 * wrong[changed][1])
-            found = near.of(place, wrong)
-            counts["altered"] += 1
-            counts["altered, named"] += found is not None and found[0] == other
-        chance = [(answer, written(answer.value * 10.0 ** random.uniform(-1.0, 1.0))) for answer, _ in pairs]
-        chance = [(answer, value) for answer, value in chance if value and not is_right(answer, value)]
-        counts["innocent"] += 1
-        counts["innocent, suspected"] += near.of(place, chance) is not None
-
-
-def _chosen(answers: Sequence[Sequence[Answer]], asked: Sequence[Answer]) -> Iterator[list[Answer]]:
-    """The answers of all students to what is asked in some of one sheet."""
-    names = [answer.quantity for answer in asked]
-    for sheet in answers:
-        own = {answer.quantity: answer for answer in sheet}
-        yield [own[name] for name in names]
 
 
 def planted_by_equations(
