@@ -55,6 +55,8 @@ def _text(path: Path) -> str:
         )
     if not path.exists():
         return ""
+    if not path.is_file():
+        raise InputError(Problem("is no file", file=str(path), remedy="move it elsewhere"))
     try:
         return read_limited(path, TOML_BYTES).decode("utf-8-sig")
     except UnicodeDecodeError:
@@ -66,28 +68,46 @@ def versions(found: Mapping[str, str]) -> dict[str, str]:
     return {name: version_of(text) for name, text in found.items()}
 
 
-def save(folder: Path, file: str, text: str, version: str) -> str:
+def save(workspace: Workspace, name: str, file: str, text: str, version: str, settles: bool = False) -> str:
     """Write a file of a family that was seen in a version; its new version. Raises ConflictError, InputError.
 
     It is written with mistakes too: it is the author's, and what is wrong with it is said beside it. Ends of lines
-    stay as the file has them.
+    stay as the file has them. A text in conflict is a draft until it is kept after all or a choice ``settles`` it.
     """
     if file not in FILES:
         raise InputError(Problem("is no file of a family", key="file", value=file[:40]))
-    path = folder / file
+    path, draft = folder_of(workspace, name) / file, _draft(workspace, name, file)
 
     def compare() -> None:
         now = _text(path)
-        if version_of(now) != version and now != text:
+        if version_of(now) != version and _lines(now) != _lines(text):
+            write_whole(draft, text)
             raise ConflictError(file, text, now)
 
     before = _text(path)
     compare()
     if "\r\n" in before:
-        text = text.replace("\r\n", "\n").replace("\n", "\r\n")
+        text = _lines(text).replace("\n", "\r\n")
     if text != before:
         write_whole(path, text, compare)
+    if settles or (draft.is_file() and _lines(_text(draft)) == _lines(text)):
+        draft.unlink(missing_ok=True)
     return version_of(text)
+
+
+def drafts(workspace: Workspace, name: str, found: Mapping[str, str]) -> dict[str, str]:
+    """The texts that were in conflict when their window was closed, by file; ``found`` are those of the files."""
+    own = {file: _text(_draft(workspace, name, file)) for file in found if _draft(workspace, name, file).is_file()}
+    return {file: text for file, text in own.items() if _lines(text) != _lines(found[file])}
+
+
+def _draft(workspace: Workspace, name: str, file: str) -> Path:
+    return workspace.state("author", name, file)
+
+
+def _lines(text: str) -> str:
+    """A text with ends of lines as browsers have them."""
+    return text.replace("\r\n", "\n")
 
 
 def begin(workspace: Workspace, name: str, start: str) -> None:

@@ -140,7 +140,7 @@ def _of_crank(quantity: Quantity, scene: Scene) -> str:
     """Why a quantity of the crank itself is none of a turn: no limit positions, or a rate that stays; "" for others."""
     crank = crank_of(scene)
     target, of = quantity.target, quantity.of_instant
-    if crank is None or target not in (crank.body, *scene.bodies[crank.body]):
+    if not quantity.is_of_turn or crank is None or target not in (crank.body, *scene.bodies[crank.body]):
         return ""
     if of is None:
         mover = f"the crank {target}" if target == crank.body else f"{target} of the crank {crank.body}"
