@@ -76,7 +76,7 @@ class MarkingFolder:
     def version(self) -> tuple[object, ...]:
         """What differs as soon as one of the files does."""
         paths = [self.build.folder / "manifest.json", *self.every(), *self._own(POLICY)]
-        return tuple((path.name, path.stat().st_mtime_ns, path.stat().st_size) for path in paths)
+        return tuple(_stamp(path) for path in paths)
 
     def next_path(self, beginning: bytes) -> Path:
         """Where a file that begins so is to be put. Raises InputError where there are too many."""
@@ -194,6 +194,15 @@ class MarkingFolder:
         names = [path.name for path in self._own(f"{stem}-*")]
         names += [path.name.partition("-")[2] for path in self._own(f"{BIN}/*-{stem}-*")]
         return 1 + max((int(match[1]) for name in names if (match := _NUMBERED.fullmatch(name))), default=0)
+
+
+def _stamp(path: Path) -> tuple[object, ...]:
+    """What differs as soon as a file does; one may be taken away meanwhile, as where marks are written again."""
+    try:
+        found = path.stat()
+    except FileNotFoundError:
+        return (path.name,)
+    return path.name, found.st_mtime_ns, found.st_size
 
 
 def _entries(content: bytes) -> dict[Asked, str]:
