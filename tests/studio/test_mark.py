@@ -261,6 +261,15 @@ def test_readings_typed_into_what_was_written_count(asking: Asking, course: Path
     assert boxes(asking, code)[name] == (f"{value:.5g}", "right")
     command = re.search(r'id="command"[^>]*>([^<]*)', asking.get("/exam/mark").text)
     assert command and command[1].count("review.csv") == 1 and "ANSWERS" not in command[1]
+    problem, quantity = name.split(".")
+    emptied = say(asking, code, int(problem), quantity, "").json()
+    assert (emptied["verdict"], emptied["before"], boxes(asking, code)[name]) == (
+        "blank",
+        f"{value:.5g}",
+        ("", "blank"),
+    )
+    assert bring(asking, b"student,1.v_B\nNo Body,5\n", "quiz.csv").status == 200
+    assert "quiz.csv, строка 2: такого студента в работе нет" in shown(asking, view="class", lang="ru")
 
 
 def test_nothing_is_removed_or_replaced_for_good(asking: Asking, course: Path, scan_exam: Built) -> None:

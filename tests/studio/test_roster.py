@@ -16,7 +16,7 @@ from tests.studio.asking import Answer, Asking
 from tests.studio.conftest import Visit
 from tests.studio.test_attacks import SCRIPT
 from tests.studio.test_pages import barriers
-from variantgen.exam.roster import Student
+from variantgen.exam.roster import Student, read_class
 from variantgen.studio.roster import students
 from variantgen.studio.roster.table import ClassTable, Tab
 
@@ -235,3 +235,22 @@ def test_what_a_window_asks_is_of_the_table_that_it_sees(client: Asking, folder:
         assert said(client, "take", {"table": key}).status == 400
     assert said(client, "take", {"table": ""}).status == 200 and ready(client)["count"] == "1"
     assert "By Hand" in client.get("/exam/roster/shown").text
+
+
+def test_ids_are_those_that_the_command_line_reads(client: Asking, folder: Path, tmp_path: Path) -> None:
+    """A column headed id is one, also where it counts; what nobody has said is not remembered for the next list."""
+    lists = {
+        "id,name,group\n1,Ann Bee,G\n2,Bob Cee,G\n": ["1", "2"],
+        "id,name,group\nab1,Ann Bee,G\nxy7,Bob Cee,G\n": ["ab1", "xy7"],
+        "No,name\n1,Ann Bee\n2,Bob Cee\n": ["Ann Bee", "Bob Cee"],
+        "No,name\n71,Ann Bee\n85,Bob Cee\n": ["71", "85"],
+        "No,name\n1,Ann Bee\n2,Bob Cee\nTotal 2,\n": ["Ann Bee", "Bob Cee"],
+    }
+    for text, ids in lists.items():
+        (tmp_path / "class.csv").write_text(text)
+        assert [student.id for student in read_class(tmp_path / "class.csv").students] == ids
+        assert bring(client, text).status == said(client, "use", {}).status == 200
+        assert [student.id for student in read_class(folder / "roster.csv").students] == ids
+    (folder / "roster.csv").write_text("id,name\n1,Ann Bee\n2,Bob Cee\n")  # made by hand
+    shown = client.get("/exam/roster/shown").text
+    assert re.findall(r'value="(\w*)" selected', shown) == ["id", "name"] and ready(client)["taken"] == "yes"

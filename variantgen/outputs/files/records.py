@@ -7,13 +7,13 @@ import io
 import json
 import os
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any, BinaryIO
 
 from variantgen.exam.exam_file import Exam
-from variantgen.exam.manifest import HASH, NAME, SCHEMA, EntriesHash
+from variantgen.exam.manifest import HASH, NAME, SCHEMA, EntriesHash, RecordedSheet
 from variantgen.exam.sheets import Item, Sheet
 from variantgen.families.files import family_files
 from variantgen.outputs.files.folder import file_hashes
@@ -25,6 +25,8 @@ _FORMULA = re.compile("(^|[;\t\r\n])(?=[\\s\u200b\u2060\ufeff]*[=+\\-@＝＋－�
 
 
 _COLUMNS = ("id", "name", "group", "code", "problem", "family", "quantity", "value", "unit", "tolerance", "unnoticed")
+RECORDED = _COLUMNS[:-1]  # those that the manifest has too
+KEY = "key.csv"
 RECORDS = "records"  # the name of the pieces of both files among those of the formats
 
 
@@ -38,7 +40,7 @@ def write_records(
     bands: Sequence[Mapping[str, Any]] = (),
 ) -> None:
     """Write both files from the pieces of all students, last of all: the manifest has the hashes of all other files."""
-    write_key_csv(folder / "key.csv", pieces["key.csv"])
+    write_key_csv(folder / KEY, pieces[KEY])
     write_manifest(
         folder / NAME, manifest_head(exam, made_with, redrawn, pages, file_hashes(folder), bands), pieces[NAME]
     )
@@ -95,6 +97,23 @@ def key_rows(sheets: Sequence[Sheet]) -> str:
         for item in sheet.items
         for answer in item.answers
     )
+
+
+def recorded_rows(sheets: Iterable[RecordedSheet]) -> Iterator[list[str]]:
+    """The cells of the key that a manifest has too, in the columns ``RECORDED``."""
+    for sheet in sheets:
+        own = [safe_cell(text) for text in (sheet.student.id, sheet.student.name, sheet.student.group, sheet.code)]
+        for problem in sheet.problems:
+            for answer in problem.answers:
+                yield [
+                    *own,
+                    str(problem.number),
+                    safe_cell(problem.family),
+                    safe_cell(answer.quantity),
+                    repr(answer.value),
+                    safe_cell(answer.unit),
+                    repr(answer.tolerance),
+                ]
 
 
 def csv_rows(rows: Iterable[Sequence[object]]) -> str:

@@ -95,6 +95,8 @@ def said(folder: MarkingFolder, marked: MarkedBuild, data: dict[str, Any]) -> di
         before = entries.pop(asked, "")
         if text:
             entries[asked] = text
+        else:
+            before = folder.forget(asked, before) or before
         folder.write(file, entries)
     verdict = verdict_of(answer, text)[2]
     if verdict is not Verdict.BLANK:

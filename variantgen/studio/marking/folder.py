@@ -76,7 +76,7 @@ class MarkingFolder:
     def version(self) -> tuple[object, ...]:
         """What differs as soon as one of the files does."""
         paths = [self.build.folder / "manifest.json", *self.every(), *self._own(POLICY)]
-        return tuple((path.name, path.stat().st_mtime_ns, path.stat().st_size) for path in paths)
+        return tuple(_stamp(path) for path in paths)
 
     def next_path(self, beginning: bytes) -> Path:
         """Where a file that begins so is to be put. Raises InputError where there are too many."""
@@ -142,6 +142,30 @@ class MarkingFolder:
         self.path.mkdir(parents=True, exist_ok=True)
         write_whole(self.path / name, _table(name, entries))
 
+    def forget(self, asked: Asked, typed: str) -> str:
+        """Empty a reading in the ``review.csv`` that the command has written, if it is ``typed`` or that is ''.
+
+        The command repeats what was typed before, so that it would stand for ever. Returns the reading; '' for none.
+        """
+        for path in self._own(f"{RESULT}/{REVIEW}"):
+            try:
+                text = path.read_bytes().decode("utf-8-sig")
+                mark = ";" if ";" in text.partition("\n")[0] else ","
+                head, *rows = csv.reader(io.StringIO(text, newline=""), delimiter=mark)
+                columns = [head.index(name) for name in ("student", "problem", "quantity", "reading")]
+            except (ValueError, csv.Error):
+                continue  # whoever has written it takes it out
+            own = [row for row in rows if len(row) == len(head) and [row[n] for n in columns[:3]] == [*map(str, asked)]]
+            said = {row[columns[3]].removeprefix("'") for row in own} - {""}
+            if len(said) == 1 and (not typed or said == {typed}):
+                for row in own:
+                    row[columns[3]] = ""
+                out = io.StringIO()
+                csv.writer(out, delimiter=mark, lineterminator="\r\n").writerows([head, *rows])
+                write_whole(path, out.getvalue().encode("utf-8-sig"))
+                return said.pop()
+        return ""
+
     def write_policy(self, policy: MarkingPolicy) -> str:
         """Write the rules; returns the name in the bin of those that they replace, '' where there were none."""
         self.path.mkdir(parents=True, exist_ok=True)
@@ -170,6 +194,15 @@ class MarkingFolder:
         names = [path.name for path in self._own(f"{stem}-*")]
         names += [path.name.partition("-")[2] for path in self._own(f"{BIN}/*-{stem}-*")]
         return 1 + max((int(match[1]) for name in names if (match := _NUMBERED.fullmatch(name))), default=0)
+
+
+def _stamp(path: Path) -> tuple[object, ...]:
+    """What differs as soon as a file does; one may be taken away meanwhile, as where marks are written again."""
+    try:
+        found = path.stat()
+    except FileNotFoundError:
+        return (path.name,)
+    return path.name, found.st_mtime_ns, found.st_size
 
 
 def _entries(content: bytes) -> dict[Asked, str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -27,6 +28,8 @@ VERDICTS = ("right", "follow_through", "wrong", "blank", "unreadable")
 RULES = ("sign", "power_of_ten", "unit", "rounding", "component", "mistake", "other_answer")  # shares that are shown
 _LISTED = 300
 _BANDS = 10
+_PLACE = re.compile(r", (?:worksheet .{1,31}, )?row \d+")
+_FILE = re.compile(r"\b(?:answers|typed|review)-\d+\.\w+")
 
 
 class MarkWords:
@@ -38,9 +41,11 @@ class MarkWords:
         self.marking = self.language.words("marking")
         self._name = language
 
-    def told(self, message: str) -> str:
-        """A message of the program."""
-        return in_language(message, self._name)
+    def told(self, message: str, names: Mapping[str, str]) -> str:
+        """A message of the program; ``names`` are those that files came with, by those that messages have."""
+        message = in_language(message, self._name)
+        message = _PLACE.sub(lambda found: in_language(found[0], self._name), message)
+        return _FILE.sub(lambda found: names.get(found[0], found[0]), message)
 
     def number(self, text: str) -> str:
         """A number with the decimal mark and the minus sign of the language."""
@@ -184,8 +189,8 @@ def class_in(found: MarkedClass, problem: int, words: MarkWords) -> dict[str, An
     return {"number": problem, "answers": len(handed), "rows": shares}
 
 
-def class_view(found: MarkedClass, words: MarkWords) -> dict[str, Any]:
-    """All problems, the points of the class, what was not matched."""
+def class_view(found: MarkedClass, words: MarkWords, names: Mapping[str, str]) -> dict[str, Any]:
+    """All problems, the points of the class, what was not matched in files, which came with these names."""
     mirrored = {
         (place, problem.number)
         for place, sheet in enumerate(found.finished.record.sheets)
@@ -220,7 +225,7 @@ def class_view(found: MarkedClass, words: MarkWords) -> dict[str, Any]:
             for own in facts.problems
         ],
         "left": [
-            {"where": item.where, "text": item.text, "why": words.told(item.why), "remedy": words.told(item.remedy)}
+            {"text": item.text, **{name: words.told(getattr(item, name), names) for name in ("where", "why", "remedy")}}
             for item in found.marked.not_matched[:_LISTED]
         ],
         "policy": policy_fields(found.policy),

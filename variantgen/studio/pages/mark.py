@@ -258,7 +258,7 @@ def _shown(request: Request, folder: MarkingFolder, found: MarkedClass, language
     }
     view = query.get("view", "")
     if view == "class":
-        return part(request, "mark_class", "mark", **common, **views.class_view(found, words))
+        return part(request, "mark_class", "mark", **common, **views.class_view(found, words, folder.names()))
     if view == "questions":
         number, name = number_of(query.get("problem"), "problem", 1, 999), query.get("quantity", "")[:80]
         rows = views.question(found, number, name, words)

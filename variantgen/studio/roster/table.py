@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from variantgen.errors import InputError, Problem
-from variantgen.exam.roster.columns import NAME_PARTS, find_columns
+from variantgen.exam.roster.columns import NAME_PARTS, cell_of, find_columns
 from variantgen.exam.roster.reading import only_counts
 from variantgen.exam.roster.table_files import read_worksheets
 from variantgen.exam.roster.worksheet import Worksheet
@@ -143,9 +143,14 @@ class ClassTables:
         return there and (not taken or taken == file_hash(self._workspace.roster()))
 
     def remember(self, table: ClassTable) -> None:
-        """Note what columns hold by their heads."""
+        """Note by their heads what columns were said to be, where that is not what is guessed anyway."""
         known = _texts(_json(self._place("columns.json")))
-        known |= {tab.head: ",".join(tab.kinds) for tab in table.tabs if tab.used and tab.head}
+        guessed = _guesses([Worksheet(tab.rows, tab.title) for tab in table.tabs], {})
+        for tab, guess in zip(table.tabs, guessed, strict=True):
+            if tab.used and tab.head:
+                known.pop(tab.head, None)
+                if (tab.begin, tab.kinds) != (guess.begin, guess.kinds):
+                    known[tab.head] = ",".join(tab.kinds)
         write_whole(self._place("columns.json"), json.dumps(dict(list(known.items())[-200:]), ensure_ascii=False))
 
     def _guess_of(self, roster: Path) -> ClassTable:
@@ -169,8 +174,7 @@ class ClassTables:
         return self._parsed[1]
 
     def _guessed(self, sheets: Sequence[Worksheet]) -> tuple[Tab, ...]:
-        known = _texts(_json(self._place("columns.json")))
-        found = [_guess(sheet, known) for sheet in sheets]
+        found = _guesses(sheets, _texts(_json(self._place("columns.json"))))
         if not any(tab.used for tab in found):
             found[0] = replace(found[0], used=True)
         return tuple(found)
@@ -196,8 +200,32 @@ def file_hash(path: Path | None) -> str:
     return hashlib.sha256(path.read_bytes()).hexdigest() if path and path.is_file() else ""
 
 
-def _guess(sheet: Worksheet, known: Mapping[str, str]) -> Tab:
-    """A worksheet with the columns as they were said to be before, or as a build would read it."""
+def _guesses(sheets: Sequence[Worksheet], known: Mapping[str, str]) -> list[Tab]:
+    """Worksheets with the columns as they were said to be before, or as a build would read them.
+
+    A build takes a column of numbers (``No``) for the id unless it only counts the rows, in all worksheets alike; a
+    column that is headed as id is one, whatever it holds.
+    """
+    counted = only_counts([numbers for sheet in sheets if (numbers := _numbers(sheet))])
+    return [_guess(sheet, known, "" if counted else "id") for sheet in sheets]
+
+
+def _numbers(sheet: Worksheet) -> list[str]:
+    """What stands in the column of numbers of a worksheet, of the rows that hold something else, too."""
+    try:
+        columns = find_columns([cells for _, cells in sheet.rows])
+    except InputError:
+        return []
+    if "number" not in columns.places:
+        return []
+    rows = [
+        {kind: cell_of(cells, k) for kind, k in columns.places.items()} for _, cells in sheet.rows[columns.row + 1 :]
+    ]
+    return [found["number"] for found in rows if any(text for kind, text in found.items() if kind != "number")]
+
+
+def _guess(sheet: Worksheet, known: Mapping[str, str], number: str) -> Tab:
+    """A worksheet whose column of numbers holds what ``number`` says."""
     width = max(len(cells) for _, cells in sheet.rows)
     for place in range(min(TITLE_ROWS, len(sheet.rows))):
         tab = Tab(sheet.title, sheet.rows, place + 1, ("",) * width, True)
@@ -209,12 +237,9 @@ def _guess(sheet: Worksheet, known: Mapping[str, str]) -> Tab:
     except InputError:
         begin, kinds = by_looks([cells for _, cells in sheet.rows], width)
         return Tab(sheet.title, sheet.rows, begin, kinds, "name" in kinds)
-    found = {place: kind for kind, place in columns.places.items() if kind != "number"}
-    rows = [cells for _, cells in sheet.rows[columns.row + 1 :]]
-    own = columns.places.get("id", columns.places.get("number"))
-    if own is not None:  # what only counts the rows is no id
-        counts = only_counts([[cells[own] if own < len(cells) else "" for cells in rows]])
-        found[own] = "" if counts else "id"
+    found = {place: kind for kind, place in columns.places.items()}
+    if "number" in columns.places:
+        found[columns.places["number"]] = "" if "id" in columns.places else number
     return Tab(sheet.title, sheet.rows, columns.row + 1, tuple(found.get(i, "") for i in range(width)), True)
 
 
