@@ -158,3 +158,30 @@ def test_markup_in_a_family_is_text(client: Asking, own: Path) -> None:
 def test_a_solution_is_set(client: Asking, own: Path) -> None:
     found = client.get("/author/own/solution/-/3.svg?lang=ru")
     assert found.status == 200 and found.content.startswith(b"<svg")
+
+
+def test_mistakes_are_told_in_the_language_of_the_page(client: Asking, own: Path) -> None:
+    """Refusals, mistakes of a family and of its statements: none of their words is left in English."""
+    for data, word in (
+        ({"name": "my-fam"}, "строчная"), ({"name": "four_bar"}, "каталоге"), ({"name": "own"}, "уже есть"),
+        ({"name": "x" * 61}, "слишком длинно"),
+    ):  # fmt: skip
+        (problem,) = client.post("/author/new?lang=ru", {"start": "", **data}).json()["problems"]
+        assert word in problem["message"] and not re.search("[a-z]{3}", problem["message"]), problem
+    text = (own / "family.toml").read_text("utf-8")
+    for wrong, words in (
+        ("titel = 1\n" + text, ["неизвестный ключ", "имелось в виду title?"]),
+        (text + "\n[bodys]\n", ["неизвестный ключ"]),
+    ):
+        (own / "family.toml").write_text(wrong, "utf-8")
+        mistakes = client.get("/author/own/look?seed=1&lang=ru").json()["mistakes"]
+        assert all(any(word in m["message"] + m["remedy"] for m in mistakes) for word in words), mistakes
+    (own / "family.toml").write_text(text, "utf-8")
+    for template, word in (("{{ phii }}", "неизвестное имя"), ("{% for x in [1] %}{% endfor %}", "не разрешено")):
+        (own / "statement.ru.j2").write_text(template, "utf-8")
+        (mistake,) = client.get("/author/own/look?seed=1&lang=ru").json()["mistakes"]
+        assert word in mistake["message"], mistake
+    (own / "statement.ru.j2").unlink()
+    (own / "statement.ru.j2").mkdir()
+    answer = client.get("/author/own/state?lang=ru")
+    assert answer.status == 400 and answer.json()["problems"][0]["message"] == "это не файл"

@@ -15,6 +15,7 @@ from variantgen.families.files import CASES, FAMILY
 from variantgen.limits import TOML_BYTES
 from variantgen.studio.documents.document import ConflictError, Mistake, line_of, located
 from variantgen.studio.documents.journal import version_of
+from variantgen.studio.messages import explained
 from variantgen.studio.studio import UnknownKeyError
 from variantgen.studio.words import LANGUAGES
 from variantgen.studio.workspace import Workspace, is_own, write_whole
@@ -147,14 +148,14 @@ def look(workspace: Workspace, name: str, form: str, seed: int, language: str) -
         variant = one_variant(name, seed=str(seed), form=form, folders=folders)
         found |= {"form": form, **_shown(variant, language)}
     except InputError as error:
-        found["mistakes"] = _mistakes(error, files, folder, FAMILY)
+        found["mistakes"] = _mistakes(error, files, folder, FAMILY, language)
         return found
     found["statements"] = {}
     for each, file in STATEMENTS.items():
         try:
             found["statements"][each] = _told(variant, each)
         except InputError as error:
-            found["mistakes"] += _mistakes(error, files, folder, file, found["names"])
+            found["mistakes"] += _mistakes(error, files, folder, file, language, found["names"])
     return found
 
 
@@ -192,7 +193,7 @@ def _told(variant: Any, language: str) -> str:
 
 
 def _mistakes(
-    error: InputError, files: Mapping[str, str], folder: Path, usual: str, names: Sequence[str] = ()
+    error: InputError, files: Mapping[str, str], folder: Path, usual: str, language: str, names: Sequence[str] = ()
 ) -> list[dict[str, Any]]:
     """Mistakes with the file of the family and the line that they are at; of an unknown name also the ``nearest``."""
     found = []
@@ -205,7 +206,7 @@ def _mistakes(
             places = located([problem], files[file], folder / file)
         near = get_close_matches(problem.value, names, 1) if problem.value in files[file] else []
         more = {"file": file, "word": problem.value, "nearest": near[0] if near else ""}
-        found += [{**more, **vars(mistake)} for mistake in places]
+        found += [{**more, **explained(mistake, language)} for mistake in places]
     return found
 
 

@@ -124,7 +124,8 @@ async def solution(request: Request) -> Response:
 
 async def check(request: Request) -> Response:
     """What the command check finds in a family."""
-    workspace, family = studio_of(request).workspace, request.path_params["family"]
+    studio, family, language = studio_of(request), request.path_params["family"], language_of(request)
+    workspace = studio.workspace
     folder_of(workspace, family)
     await read_json(request)
     code, said, wrong = await run_command(
@@ -133,9 +134,13 @@ async def check(request: Request) -> Response:
     try:
         (report,) = json.loads(said)
     except ValueError:
-        text = (wrong or said).decode("utf-8", "replace").strip()[-2000:]
-        return JSONResponse({"ok": False, "rows": [{"ok": False, "text": text}]})
-    return JSONResponse({"ok": code == 0, "rows": _rows(report, page_words(language_of(request)))})
+        found = await studio.draw(lambda: look(workspace, family, "", FIRST_SEED, language))
+        mistaken = [
+            ": ".join(filter(None, (m["file"], m["key"], m["message"], m["remedy"]))) for m in found["mistakes"]
+        ]
+        rows = mistaken or [(wrong or said).decode("utf-8", "replace").strip()[-2000:]]
+        return JSONResponse({"ok": False, "rows": [{"ok": False, "text": text} for text in rows]})
+    return JSONResponse({"ok": code == 0, "rows": _rows(report, page_words(language))})
 
 
 def _rows(report: dict[str, Any], words: PageWords) -> list[dict[str, Any]]:

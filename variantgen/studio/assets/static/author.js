@@ -8,7 +8,7 @@ function begin() {
   $("new").addEventListener("submit", async event => {
     event.preventDefault();
     const given = new FormData(event.target);
-    try { location.search = (await post("/author/new", { name: given.get("name"), start: given.get(given.get("start") === "other" ? "other" : "start") })).address; } catch (error) { $("refused").textContent = error.message; $("refused").hidden = false; }
+    try { location.search = (await post(`/author/new?lang=${lang}`, { name: given.get("name"), start: given.get(given.get("start") === "other" ? "other" : "start") })).address; } catch (error) { $("refused").textContent = error.message; $("refused").hidden = false; }
   });
 }
 
