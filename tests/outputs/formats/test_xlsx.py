@@ -396,6 +396,9 @@ def test_only_what_is_to_be_filled_in_is_open(built: Path) -> None:
         assert {(c.row, c.column) for row in sheet.iter_rows() for c in row if not c.protection.locked} == cells
         checks = sheet.data_validations.dataValidation
         assert {(c.type, c.operator or "between", c.showErrorMessage) for c in checks} == {(kind, "between", True)}
+        for check in checks:
+            assert check.formula1.startswith("ISNUMBER(VALUE(" if kind == "custom" else "-1000")
+            assert check.formula2 == (None if kind == "custom" else "1000")  # less than any date of today
         areas = [area for check in checks for area in check.sqref.ranges]
         for row, column in cells:
             assert any(a.min_row <= row <= a.max_row and a.min_col <= column <= a.max_col for a in areas)

@@ -10,7 +10,7 @@ from variantgen.exam.sheets import Answer, Sheet
 from variantgen.outputs.spreadsheet import answer_page, correction_page, marking
 from variantgen.outputs.spreadsheet.headings import Headings
 from variantgen.outputs.spreadsheet.identity import FROZEN, WHO, finish, write_heads, write_identity
-from variantgen.outputs.spreadsheet.numbers import number_check, width
+from variantgen.outputs.spreadsheet.numbers import width
 from variantgen.outputs.spreadsheet.problem_columns import PER_ANSWER, ProblemColumns, blocks, point_format
 from variantgen.outputs.spreadsheet.workbook_writer import (
     ABSENT,
@@ -203,7 +203,7 @@ class _Form:
                 self.page.sheet.conditional_format(*area, rule)
 
     def _checks(self) -> None:
-        """Answers are numbers only; their cells are text, which is meant."""
+        """An answer that is no number is asked about; that the cells are text is meant."""
         areas = (
             f"{marking.first_of(_FIRST, block.typed)}:{marking.first_of(self.last, block.points - 1)}"
             for block in self.blocks
@@ -211,5 +211,11 @@ class _Form:
         self.page.sheet.ignore_errors({"number_stored_as_text": " ".join(areas)})
         for block in self.blocks:
             number = marking.number(marking.first_of(_FIRST, block.typed), self._decimal_mark)
-            typed = {**number_check(self.words), "validate": "custom", "value": f"=ISNUMBER({number})"}
+            typed = {
+                "validate": "custom",
+                "value": f"=ISNUMBER({number})",
+                "error_type": "warning",  # units and fractions may stay: `mark` reads them
+                "error_title": self.words["not_a_number"],
+                "error_message": self.words["number_expected"],
+            }
             self.page.sheet.data_validation(_FIRST, block.typed, self.last, block.points - 1, typed)

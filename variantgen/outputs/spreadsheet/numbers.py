@@ -12,7 +12,7 @@ _MOST_DECIMALS = 9
 NARROWEST, WIDEST = 6.0, 50.0  # of columns, in letters
 _ROOM = 2.5
 _MARK = '"*"'
-_LARGEST = 1e12  # of what may be typed
+_MOST_POINTS = 1000  # as in a policy; a date, which a spreadsheet with a decimal comma makes of 1.5, is more
 
 
 def decimals(values: Iterable[float]) -> int:
@@ -38,8 +38,8 @@ def number_check(words: Mapping[str, str]) -> dict[str, object]:
     return {
         "validate": "decimal",
         "criteria": "between",
-        "minimum": -_LARGEST,
-        "maximum": _LARGEST,
+        "minimum": -_MOST_POINTS,
+        "maximum": _MOST_POINTS,
         "error_title": words["not_a_number"],
         "error_message": words["number_expected"],
     }
