@@ -254,3 +254,11 @@ def test_ids_are_those_that_the_command_line_reads(client: Asking, folder: Path,
     (folder / "roster.csv").write_text("id,name\n1,Ann Bee\n2,Bob Cee\n")  # made by hand
     shown = client.get("/exam/roster/shown").text
     assert re.findall(r'value="(\w*)" selected', shown) == ["id", "name"] and ready(client)["taken"] == "yes"
+    assert "The ids only count the rows" in shown
+
+
+def test_rows_that_are_not_shown_are_counted_in_every_tab(client: Asking) -> None:
+    long = [["name", "id"], *([f"Ann {chr(97 + i % 26) * (1 + i // 26)}", f"s{i}"] for i in range(306))]
+    bring(client, workbook({"A": [["name", "id"], ["Bob Ray", "b"]], "B": long}))
+    assert "more rows" not in client.get("/exam/roster/shown?tab=0").text
+    assert "7 more rows" in client.get("/exam/roster/shown?tab=1").text

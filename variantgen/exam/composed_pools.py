@@ -12,7 +12,6 @@ from typing import NamedTuple
 
 from variantgen.errors import InputError
 from variantgen.exam.composed import write
-from variantgen.exam.named_families import composing
 from variantgen.exam.wanted_work import LEVELS, MOST
 from variantgen.families.asking import read_ask
 from variantgen.families.files import FAMILY
@@ -54,12 +53,14 @@ class _Member(NamedTuple):
     folder: Path
 
 
-def read_composed(table: Table, folders: Sequence[Path], made: bool = True) -> tuple[str, ...]:
+def read_composed(
+    table: Table, folders: Sequence[Path], made: bool = True, tell: Callable[[str], object] = str
+) -> tuple[str, ...]:
     """The families of ``compose = { groups, links, level, structures, seed }`` of a problem: names, or paths.
 
     A pool that lies in one of the folders is taken as it lies there; else it is made, in a folder that lasts as long as
     the process, or none is returned if it shall not be ``made`` yet. Mistakes are noted in the table, and that there
-    are fewer than wanted.
+    are fewer than wanted. ``tell`` is told how many families of it are made.
     """
     noted = len(table.problems)
     groups = tuple(dict.fromkeys(table.strings("groups")))
@@ -89,7 +90,7 @@ def read_composed(table: Table, folders: Sequence[Path], made: bool = True) -> t
         return ()
     found = _pools.get((options, said))
     if found is None:
-        where, tell = table.path.removesuffix("].compose").replace("[", " "), composing.get()
+        where = table.path.removesuffix("].compose").replace("[", " ")
         found = _pools[options, said] = _pool(
             options, said, lambda ready, count: tell(f"composing {where}: {ready} of {count} families")
         )

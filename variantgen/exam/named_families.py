@@ -28,7 +28,7 @@ def read_names(table: Table, folders: Sequence[Path], composed: bool = True) -> 
     if given == ["compose"]:
         from variantgen.exam.composed_pools import read_composed  # figures and methods, which no other exam needs here
 
-        return read_composed(table.table("compose"), folders, composed)
+        return read_composed(table.table("compose"), folders, composed, composing.get())
     names = table.strings("families") if given == ["families"] else (table.take("family", str, ""),)
     if not given or not names:
         table.problem("missing, expected the name of a family", "family")

@@ -12,7 +12,8 @@ from typing import Any
 from variantgen.errors import InputError, Problem
 from variantgen.exam.marking_policy import MarkingPolicy
 from variantgen.letters import unseen
-from variantgen.marking.answer_tables import FormWords, read_answers
+from variantgen.marking.answer_tables import read_answers
+from variantgen.marking.form_words import FormWords
 from variantgen.marking.marks import Verdict, verdict_of
 from variantgen.marking.scan.pictures import is_picture
 from variantgen.studio.frame import command

@@ -11,8 +11,9 @@ from variantgen.exam.manifest import read_manifest
 from variantgen.exam.marking_policy import MarkingPolicy, read_policy_file
 from variantgen.families.folders import family_folders
 from variantgen.finished.restore import Finished, restore
-from variantgen.marking.answer_tables import FormWords, ReadAnswers, read_answers
+from variantgen.marking.answer_tables import ReadAnswers, read_answers
 from variantgen.marking.drawn import as_drawn
+from variantgen.marking.form_words import FormWords
 from variantgen.marking.key import Key
 from variantgen.marking.marks import Marked, mark
 from variantgen.marking.scan.collecting import Question, Scans, collect
