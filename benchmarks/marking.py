@@ -16,12 +16,13 @@ from __future__ import annotations
 
 import argparse
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from itertools import islice
 from pathlib import Path
 
 import numpy as np
 
+from benchmarks.copied_sheets import altered, neighboured
 from benchmarks.dropped_terms import planted_anew
 from benchmarks.planted_answers import planted, spelled, width_of, written
 from variantgen.exam.sheets import Answer, answer_variants
@@ -32,7 +33,6 @@ from variantgen.families.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.marking.diagnosis.causes import Comparisons, cause_of
 from variantgen.marking.diagnosis.follow_through import FollowThrough
-from variantgen.marking.diagnosis.neighbours import Neighbours
 from variantgen.marking.diagnosis.plausible_mistakes import of_batch
 from variantgen.marking.key import is_right
 from variantgen.marking.marks import Verdict, verdict_of
@@ -82,37 +82,6 @@ def named(variants: Sequence[Variant], answers: Sequence[Sequence[Answer]], coun
             for text in islice(spelled(answer), None if student % _IN_ALL_WAYS == 0 else 1):
                 counts["right"] += 1
                 counts["right, accused"] += verdict_of(answer, text)[2] is not Verdict.RIGHT
-
-
-def neighboured(answers: Sequence[Sequence[Answer]], counts: Counter[str]) -> None:
-    """Count how often the sheet of the next student, solved in place of the own one, is found."""
-    near = Neighbours(dict(enumerate(answers)))
-    for place, own in enumerate(answers):
-        other = (place + 1) % len(answers)
-        wrong = [
-            (answer, written(copied.value))
-            for answer, copied in zip(own, answers[other], strict=True)
-            if copied.value and answer.quantity.component != "sense" and not is_right(answer, written(copied.value))
-        ]
-        if len({round(abs(value), 9) for _, value in wrong}) < 2:
-            continue
-        if any(
-            all(abs(theirs.value - value) <= theirs.tolerance for theirs, (_, value) in zip(sheet, wrong, strict=True))
-            for k, sheet in enumerate(_chosen(answers, [answer for answer, _ in wrong]))
-            if k not in (place, other)
-        ):
-            counts["neighbour alike"] += 1  # the numbers are those of a third student too: nobody can tell
-            continue
-        counts["neighbour"] += 1
-        counts["neighbour, named"] += near.of(place, wrong) == other
-
-
-def _chosen(answers: Sequence[Sequence[Answer]], asked: Sequence[Answer]) -> Iterator[list[Answer]]:
-    """The answers of all students to what is asked in some of one sheet."""
-    names = [answer.quantity for answer in asked]
-    for sheet in answers:
-        own = {answer.quantity: answer for answer in sheet}
-        yield [own[name] for name in names]
 
 
 def planted_by_equations(
@@ -190,6 +159,7 @@ def table(families: Sequence[str], students: int) -> list[str]:
             counts: Counter[str] = Counter()
             named(variants, answers, counts)
             neighboured(answers, counts)
+            altered(answers, counts)
             by_chance(variants[: max(1, count // 4)], answers[: max(1, count // 4)], counts)
             followed(variants[: max(1, count // 5)], answers[: max(1, count // 5)], counts)
             planted_by_equations(variants[: max(1, count // 5)], answers[: max(1, count // 5)], counts)
@@ -202,10 +172,10 @@ def table(families: Sequence[str], students: int) -> list[str]:
             alone += [] if counts["follow"] else [f"{name} {form}".strip()]
             rows.append(row(f"{name} {form}".strip(), counts, causes))
             assert len(asked) == len(answers[0])
-    return [*rows, row("all", total, causes), "", *unshown(few, alone, total["neighbour alike"])]
+    return [*rows, row("all", total, causes), "", *unshown(few, alone, total)]
 
 
-def unshown(few: Sequence[str], alone: Sequence[str], alike: int) -> list[str]:
+def unshown(few: Sequence[str], alone: Sequence[str], total: Counter[str]) -> list[str]:
     """What the table does not show, as a list."""
     return [
         "What this does not show:",
@@ -218,7 +188,10 @@ def unshown(few: Sequence[str], alone: Sequence[str], alike: int) -> list[str]:
         "- Chains are planted by the steps of the solution that follow-through goes again; only its second way is"
         " independent of them.",
         "- Copied sheets that are not counted, as their numbers are within tolerance those of a third student too:"
-        f" {alike}.",
+        f" {total['neighbour alike']}.",
+        "- Copied sheets of four or more wrong numbers, one of them altered, whose neighbour is named:"
+        f" {total['altered, named']} of {total['altered']}; problems of random numbers alone that are taken for a"
+        f" neighbour's: {total['innocent, suspected']} of {total['innocent']}.",
         f"- Under {_LEAST:g} % named: {', '.join(few) or 'nothing'}.",
         f"- No answer follows from another, so that follow-through is not tried: {', '.join(alone) or 'none'}.",
         "- Accused are right answers; for a tenth of the students they and both ends of their tolerances are written in"

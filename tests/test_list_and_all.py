@@ -84,6 +84,14 @@ def test_the_document_of_a_family(capsys):
     assert "omega_OA" not in [item["quantity"] for item in central["can_be_asked"]]  # it is given
 
 
+def test_values_of_a_turn_that_are_asked_by_themselves_are_listed(capsys):
+    assert main(["list", "limit_positions"]) == 0
+    lines = [line.split() for line in capsys.readouterr().out.splitlines()]
+    assert [line[:2] for line in lines if "stroke_B" in line] == [["*", "stroke_B"]]
+    assert [line[-1] for line in lines if line[1:2] == ["stroke_B"]] == ["cm"]
+    assert [line[-1] for line in lines if line[1:2] == ["swing_BC"]] == ["deg"]
+
+
 @pytest.mark.parametrize("family", family_names())
 def test_the_problem_can_be_pasted(family, capsys, tmp_path):
     """As it stands, and with each of its comments in force."""

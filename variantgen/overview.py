@@ -78,9 +78,10 @@ def _step(values: Sequence[Decimal]) -> Decimal | None:
 
 
 def _askable(family: Family, form: Form, language: Language) -> Iterable[dict[str, str]]:
-    """Every quantity that the form can be asked for, but for its data."""
+    """Every plain quantity that the form can be asked for, but for its data, and whatever it asks by itself."""
     given = {parameter.symbol for parameter in form.parameters.values() if parameter.given}
-    for name in form.askable:
+    asked = [quantity.name for quantity in read_ask(form)]
+    for name in (*form.askable, *(name for name in asked if name not in form.askable)):
         if name.removesuffix(".abs").removesuffix(".sense") not in given:
             yield _described(split_name(name), family, form, language)
 

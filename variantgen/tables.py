@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 import tomllib
 from collections.abc import Callable, Iterator, Sequence
@@ -147,9 +148,13 @@ class Table:
         self._seen.update(names)
 
     def number(self, name: str, default: int | Decimal) -> Decimal:
-        """A number as it is written in the file."""
+        """A number as it is written in the file; one that is not finite is noted."""
         value: Any = self.take(name, (int, Decimal), default, "a number")
-        return Decimal(value)
+        found = Decimal(value)
+        if not math.isfinite(float(found)):
+            self.problem("expected a finite number", name, value)
+            return Decimal(default)
+        return found
 
     def strings(self, name: str, default: tuple[str, ...] = ()) -> tuple[str, ...]:
         """A list of strings."""

@@ -73,7 +73,7 @@ def test_pdfs(built: Path) -> None:
     assert sheets.index("Äppler") < sheets.index("Busch") < sheets.index("Zorn")
     assert re.search(r"\d,\d", key)
     assert "Lösungen" in solutions
-    assert re.search(r"Winkelgeschwindigkeit des (Gliedes|Stabes)", solutions)
+    assert re.search(r"Winkelgeschwindigkeit\s+des\s+(Gliedes|Stabes)", solutions)
 
 
 def test_latex(built: Path) -> None:

@@ -49,6 +49,11 @@ def test_what_is_no_list_of_items(text: str) -> None:
         '{"items": [1 2]}',
         '{"items": [1',
         "{1: 2}",
+        '{"a": NaN}',
+        '{"items": [{"x": -Infinity}]}',
+        '{"a": 1e999}',
+        '{"a": 1, "items": [2], "a": 1}',
+        '{"items": [2], "items": []}',
     ],
 )
 def test_what_is_no_json(text: str) -> None:

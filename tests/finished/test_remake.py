@@ -66,6 +66,14 @@ def remade(out: Path, student: str, *options: str, code: int = 0) -> bytes:
     return content
 
 
+def test_a_file_whose_name_is_not_that_of_a_pdf(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["remake", str(tmp_path), "--student", "s1", "--out", str(tmp_path / "bob")]) == 2
+    message = capsys.readouterr().err
+    assert "--out: expected a file that ends in .pdf" in message
+    assert str(tmp_path / "bob.pdf") in message
+    assert not list(tmp_path.iterdir())
+
+
 def text(content: bytes, folder: Path) -> list[str]:
     (folder / "text.pdf").write_bytes(content)
     return page_texts(folder / "text.pdf")

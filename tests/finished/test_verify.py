@@ -78,13 +78,54 @@ def answer(manifest: Manifest) -> Manifest:
     return manifest["students"][2]["problems"][0]["answers"][0]
 
 
+def copy_of(manifest: Manifest, key: str) -> None:
+    """Give the second student the code or the id of the first."""
+    manifest["students"][1][key] = manifest["students"][0][key]
+
+
+@pytest.mark.parametrize(
+    ("edit", "words"),
+    [
+        (lambda m: copy_of(m, "code"), "2 students have the code"),
+        (lambda m: copy_of(m, "id"), "2 students have the id 1"),
+        (lambda m: m["students"].pop(), ""),
+        (lambda m: m["students"].reverse(), ""),
+        (lambda m: m["students"][4]["problems"].pop(), ""),
+        (lambda m: m["students"][4]["problems"][0].update(attempt=77), ""),
+        (lambda m: m.update(students=[]), ""),
+    ],
+)
+def test_students_that_were_edited_are_found(
+    edit: Callable[[Manifest], None], words: str, out: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    change(out, edit)
+    message = said(out, capsys, 1)
+    assert "manifest.json: the students have been changed since the build" in message
+    assert words in message
+
+
+def test_a_manifest_without_the_hash_of_its_students(out: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    # Earlier versions have not recorded it; the key that was built with it tells the same students.
+    change(out, lambda manifest: manifest.pop("students_hash"))
+    assert "all right" in said(out, capsys, 0)
+    change(out, lambda manifest: manifest["students"].pop())
+    message = said(out, capsys, 1)
+    assert "manifest.json: the students have been changed since the build; key.csv has others from 6 on" in message
+
+
+def test_the_layout_of_the_manifest_is_no_change(out: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = out / "manifest.json"
+    path.write_text(json.dumps(json.loads(path.read_text("utf-8")), indent=3), "utf-8")
+    assert "all right" in said(out, capsys, 0)
+
+
 @pytest.mark.parametrize("factor", [1.00001, -1.0, 10.0])
 def test_a_wrong_answer_is_found(factor: float, out: Path, capsys: pytest.CaptureFixture[str]) -> None:
     change(out, lambda manifest: answer(manifest).update(value=answer(manifest)["value"] * factor))
     message = said(out, capsys, 1)
     assert "student 3, problem 1" in message
     assert "by the independent path" in message
-    assert "faults: 1" in message
+    assert "faults: 2" in message, "the answer, and that the students were edited"
 
 
 def test_an_answer_to_something_else_is_found(out: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -145,6 +186,8 @@ def test_what_differs_is_said(out: Path, capsys: pytest.CaptureFixture[str]) -> 
         (lambda m: m.pop("seed"), ["seed", "missing"]),
         (lambda m: m["students"][0]["problems"][0].update(family="spool"), ["no such problem", "spool"]),
         (lambda m: m["students"][0]["problems"][0]["pose"].update(quarter_turns=7), ["quarter_turns", "0 to 3"]),
+        (lambda m: m["students"][0]["problems"][0].update(attempt=-3), ["problems[1].attempt", "1 or more"]),
+        (lambda m: answer(m).update(tolerance=float("nan")), ["NaN is no finite number"]),
     ],
 )
 def test_a_manifest_that_cannot_be(

@@ -152,7 +152,8 @@ def test_what_spreadsheets_do_to_a_form(built: Path, mark: Mark, tmp_path: Path)
     sheet.cell(row, columns["v_B, cm/s"], right[who, "1.v_B"])
     sheet.cell(row, columns["a_B, cm/s²"], "=2*3")
     sheet.cell(row, columns["a_B, cm/s²"] + 1, datetime(1995, 2, 1, tzinfo=None))
-    sheet.cell(row, columns["±"], 1.5)
+    assert book.worksheets[1].cell(3, 2).value == who
+    book.worksheets[1].cell(3, 5, 1.5)
     book.save(tmp_path / "filled.xlsx")
     code, marks, totals, left = mark(tmp_path / "filled.xlsx")
     assert code == 0

@@ -137,13 +137,21 @@ def test_causes_and_numbers_are_printed_as_in_the_table(built: Path, mark: Mark,
     assert other not in page
 
 
-def test_points_by_hand_for_who_has_no_answers(built: Path, mark: Mark, tmp_path: Path) -> None:
-    """Points in the column ± have a page of their own; 20 points of 8 are cut and told."""
+@pytest.mark.parametrize("layout", ["worksheet", "columns of the form, as in earlier versions"])
+def test_points_by_hand_for_who_has_no_answers(layout: str, built: Path, mark: Mark, tmp_path: Path) -> None:
+    """Corrections alone make a page; 20 points of 8 are cut and told."""
     book = openpyxl.load_workbook(built / "grading.xlsx")
-    sheet = book.worksheets[0]
+    form, sheet, _ = book.worksheets
+    if layout != "worksheet":
+        book.remove(sheet)
+        sheet = form
     head = next(row for row in sheet.iter_rows() if row[0].value == "Variant")
-    column = next(cell.column for cell in head if cell.value == "±")
+    column = next(cell.column for cell in head if str(cell.value).startswith("±"))
     row = head[0].row + 1
+    for cells in form.iter_rows(min_row=7) if sheet is form else ():
+        for cell in cells:
+            if form.cell(6, cell.column).value == "±":
+                cell.value = None
     codes = [sheet.cell(row + k, 1).value for k in range(2)]
     sheet.cell(row, column, 1.5)
     sheet.cell(row + 1, column, 20)

@@ -137,6 +137,10 @@ def test_limit_positions_of_a_rocker() -> None:
     assert found["time_ratio_BC"] == pytest.approx((np.pi + theta) / (np.pi - theta), rel=1e-12)
     assert found["max_angle_A.B.C"] == pytest.approx(np.arccos((85**2 + 66**2 - 100**2) / (2 * 85 * 66)), rel=1e-12)
     assert found["mean_omega_BC"] == pytest.approx(2 * (corner[0] - corner[1]) / (2 * np.pi / 5), rel=1e-10)
+    said = " ".join(str(explain(variant_of(ROCKER), "en", ask=["mean_v_B", "stroke_B"])).split())
+    mean = 2 * 66 * (corner[0] - corner[1]) / (2 * np.pi / 5)  # its way is the arc, there and back
+    assert f"/ 180° = 66 · {np.degrees(corner[0] - corner[1]):.2f}° · 5 / 180°" in said
+    assert f"v_B mean = {mean:.4g} cm/s" in said
     chord = 2 * 0.66 * np.sin((corner[0] - corner[1]) / 2)
     assert found["stroke_B"] == pytest.approx(chord, rel=1e-12)  # its path is an arc
 
@@ -152,9 +156,9 @@ def test_the_pin_of_a_rocker_and_the_rocker_have_one_ratio_of_times() -> None:
 
 
 def test_an_extreme_at_a_kink_and_quantities_that_do_not_change() -> None:
-    found = values(SLIDER.format(omega=2, points=CRANK_FIRST), "max_angle_O.A.B", "max_y_B", "phi_max_v_A")
+    found = values(SLIDER.format(omega=2, points=CRANK_FIRST), "max_angle_O.A.B", "max_y_B")
     assert found["max_angle_O.A.B"] == pytest.approx(np.pi, abs=1e-9)  # stretched
-    assert found["max_y_B"] == found["phi_max_v_A"] == np.inf  # the slider keeps its height, the pin its speed
+    assert found["max_y_B"] == np.inf  # the slider keeps its height
 
 
 def driven_rate(angle: mpmath.mpf) -> mpmath.mpf:
@@ -189,6 +193,8 @@ def test_a_lever_on_a_crank() -> None:
     half = np.arcsin(20 / 50)
     assert found["swing_CB"] == pytest.approx(2 * half, rel=1e-12)
     assert found["time_ratio_CB"] == pytest.approx((np.pi + 2 * half) / (np.pi - 2 * half), rel=1e-12)
+    said = " ".join(str(explain(variant_of(LEVER), "ru", ask=["mean_v_B"])).split())
+    assert f"v_B ср = {2 * 90 * 2 * half / (2 * np.pi / 5):.4g} см/с".replace(".", ",") in said
     # fastest where the pin is nearest to the axis of the lever: omega r / (d - r)
     assert found["max_omega_CB"] == pytest.approx(5 * 20 / (50 - 20), rel=1e-12)
     assert found["phi_max_omega_CB"] == pytest.approx(np.radians(270 - 75), abs=1e-9)
@@ -218,6 +224,8 @@ def test_a_crank_that_cannot_make_the_turn_has_no_extremes() -> None:
     [
         (SLIDER.format(omega="2, epsilon = 1", points=CRANK_FIRST), "max_a_B", "constant angular velocity"),
         (SLIDER.format(omega=2, points=CRANK_FIRST), "max_a_B.t", "write max_"),
+        (SLIDER.format(omega=2, points=CRANK_FIRST), "stroke_A", "A of the crank OA goes round"),
+        (SLIDER.format(omega=2, points=CRANK_FIRST), "phi_max_v_A", "so v_A is the same all along"),
         (SLIDER.replace("rotation = {{ body = \"OA\", omega = {omega} }}", "travel = {{ point = \"B\", v = 1 }}")
          .format(points=CRANK_FIRST), "stroke_B", "rotates a body"),
     ],

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import re
+import shutil
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from playwright.sync_api import Route, expect
 
 from tests.studio.asking import Asking
+from tests.studio.conftest import Visit
 from variantgen.resources import catalog_dir
+from variantgen.skeletons import new_family
 
 
 @pytest.fixture
@@ -48,6 +54,62 @@ def test_a_text_is_kept_unless_another_was_faster(client: Asking, own: Path) -> 
     status, answer = kept(client, "family.toml", before + "# mine again\n", str(data["version"]))
     assert status == 409 and answer["theirs"] == before + "# theirs\n"
     assert (own / "family.toml").read_text("utf-8") == before + "# theirs\n"
+
+
+def test_a_text_in_conflict_is_a_draft_until_a_choice_settles_it(client: Asking, own: Path) -> None:
+    """What was typed is there for the next window; another window that saves does not end it."""
+    file, state = "statement.en.j2", client.get("/author/own/state").json()
+    version = state["versions"][file]
+    (own / file).write_text("THEIRS\r\n", "utf-8", newline="")
+    assert kept(client, file, "MINE\n", version)[0] == 409
+    state = client.get("/author/own/state").json()
+    assert state["drafts"] == {file: "MINE\n"}
+    assert kept(client, file, "THEIRS 2\n", state["versions"][file])[0] == 200
+    state = client.get("/author/own/state").json()
+    assert state["drafts"] == {file: "MINE\n"}
+    data = {"file": file, "text": "THEIRS 2\n", "version": state["versions"][file], "settles": True}
+    assert client.post("/author/own/save", data).status == 200
+    assert client.get("/author/own/state").json()["drafts"] == {}
+    assert (own / file).read_bytes() == b"THEIRS 2\r\n"
+
+
+def test_the_choice_between_two_texts_stays(visit: Callable[..., Visit]) -> None:
+    """Through focus and other variants; slow saves do not meet themselves; a closed window loses nothing."""
+    window, file = visit(), "statement.en.j2"
+    new_family("own", window.folder)
+    path, page = window.folder / "own" / file, window.open("/author?family=own")
+    area, mine = page.locator(f'textarea[data-file="{file}"]'), page.get_by_role("button", name="Keep mine")
+    expect(page.locator("#author")).to_have_attribute("aria-busy", "false")
+
+    def slow(route: Route) -> None:
+        answer = route.fetch()
+        page.wait_for_timeout(1000)
+        route.fulfill(response=answer)
+
+    page.route("**/save?*", slow, times=1)
+    area.press_sequentially("AAA")
+    page.wait_for_timeout(700)
+    area.press_sequentially("BBB")
+    expect(page.locator("#kept")).to_contain_text("· kept", timeout=10_000)
+    expect(mine).to_be_hidden()
+    path.write_text("THEIRS\n", "utf-8")
+    area.press_sequentially("MINE")
+    expect(page.locator("#both")).to_contain_text("THEIRS")
+    page.evaluate("dispatchEvent(new Event('focus'))")
+    with page.expect_response("**/look?*seed=12*"):
+        page.locator("#after").click()
+    expect(mine).to_be_visible()
+    page.goto("about:blank")
+    window.open("/author?family=own")
+    expect(page.locator("#both")).to_contain_text("THEIRS")
+    expect(area).to_have_value(re.compile("AAABBBMINE"))
+    area.blur()
+    assert path.read_text("utf-8") == "THEIRS\n"
+    with page.expect_response("**/save?*"):
+        mine.click()
+    expect(page.locator("#both")).to_be_hidden()
+    assert "AAABBBMINE" in path.read_text("utf-8")
+    shutil.rmtree(window.folder / "own")
 
 
 def test_ends_of_lines_stay(client: Asking, own: Path) -> None:
@@ -96,3 +158,30 @@ def test_markup_in_a_family_is_text(client: Asking, own: Path) -> None:
 def test_a_solution_is_set(client: Asking, own: Path) -> None:
     found = client.get("/author/own/solution/-/3.svg?lang=ru")
     assert found.status == 200 and found.content.startswith(b"<svg")
+
+
+def test_mistakes_are_told_in_the_language_of_the_page(client: Asking, own: Path) -> None:
+    """Refusals, mistakes of a family and of its statements: none of their words is left in English."""
+    for data, word in (
+        ({"name": "my-fam"}, "строчная"), ({"name": "four_bar"}, "каталоге"), ({"name": "own"}, "уже есть"),
+        ({"name": "x" * 61}, "слишком длинно"),
+    ):  # fmt: skip
+        (problem,) = client.post("/author/new?lang=ru", {"start": "", **data}).json()["problems"]
+        assert word in problem["message"] and not re.search("[a-z]{3}", problem["message"]), problem
+    text = (own / "family.toml").read_text("utf-8")
+    for wrong, words in (
+        ("titel = 1\n" + text, ["неизвестный ключ", "имелось в виду title?"]),
+        (text + "\n[bodys]\n", ["неизвестный ключ"]),
+    ):
+        (own / "family.toml").write_text(wrong, "utf-8")
+        mistakes = client.get("/author/own/look?seed=1&lang=ru").json()["mistakes"]
+        assert all(any(word in m["message"] + m["remedy"] for m in mistakes) for word in words), mistakes
+    (own / "family.toml").write_text(text, "utf-8")
+    for template, word in (("{{ phii }}", "неизвестное имя"), ("{% for x in [1] %}{% endfor %}", "не разрешено")):
+        (own / "statement.ru.j2").write_text(template, "utf-8")
+        (mistake,) = client.get("/author/own/look?seed=1&lang=ru").json()["mistakes"]
+        assert word in mistake["message"], mistake
+    (own / "statement.ru.j2").unlink()
+    (own / "statement.ru.j2").mkdir()
+    answer = client.get("/author/own/state?lang=ru")
+    assert answer.status == 400 and answer.json()["problems"][0]["message"] == "это не файл"

@@ -137,9 +137,11 @@ def test_a_class_of_108_goes_the_whole_way(visit: Callable[..., Visit], tmp_path
     page.get_by_role("searchbox").fill(f"variantgen:1:{record.exam_id}:{last.code}")
     page.keyboard.press("Enter")
     page.get_by_role("heading", name=last.student.name).wait_for()
-    for answer in last.problems[0].answers:
+    for n, answer in enumerate(last.problems[0].answers):
+        if n:
+            page.keyboard.press("Enter")
         page.keyboard.type(f"{answer.value:.5g}")
-        page.keyboard.press("Enter")
+    page.reload()  # while the last one is being typed: it is kept
     page.get_by_text("Handed in: 108 of 108").wait_for()
     assert barriers(page) == []
     expect(page.locator("[data-under=mark]")).to_have_text("108 of 108")
@@ -205,12 +207,100 @@ def test_typed_answers_stand_before_tables_and_are_taken_back(asking: Asking, co
     assert "противоположный" in shown(asking, code=code, lang="ru").casefold()
     assert say(asking, code, problem, quantity, f"{value:.5g}").json()["verdict"] == "right"
     assert 'class="v wrong"' not in shown(asking, code=code)
+    assert say(asking, code, problem, quantity, "-").json()["of_file"] is True  # a dash leaves room for the table
+    say(asking, code, problem, quantity, f"{value:.5g}")
     taken_back = say(asking, code, problem, quantity, "").json()
-    assert (taken_back["verdict"], taken_back["before"]) == ("blank", f"{value:.5g}")
+    assert (taken_back["verdict"], taken_back["text"]) == ("wrong", f"{-value:.5g}")  # the table stands again
+    assert taken_back["before"] == f"{value:.5g}"
     assert 'class="v wrong"' in shown(asking, code=code)
     assert asking.post(f"/exam/mark/drop?build={BUILD}", {"file": "answers-1.csv"}).status == 200
     assert "Handed in: 0 of 3" in asking.get(f"/exam/mark/list?build={BUILD}").text
     assert asking.get(f"/exam/mark/find?build={BUILD}&who=young").json() == {"code": scan_exam.code(2)}
+
+
+def boxes(asking: Asking, code: str) -> dict[str, tuple[str, str]]:
+    """What the page shows of a student: the answers and their verdicts, by question."""
+    found = re.findall(r'<input id="[^"]*?\.([^"]*)" value="([^"]*)".*?class="v (\w+)"', shown(asking, code=code), re.S)
+    return {name: (text, verdict) for name, text, verdict in found}
+
+
+def test_typed_answers_survive_other_programs(asking: Asking, course: Path, scan_exam: Built) -> None:
+    """However another program has written typed.csv, all of it counts, behind what is typed afterwards."""
+    code, [(first, right), (second, other)] = scan_exam.code(0), scan_exam.key[0][:2]
+    (problem, quantity), typed = first.split("."), f"{right:.5g}"
+    marks = course / "marks" / BUILD
+    marks.mkdir(parents=True)
+    name = read_manifest(scan_exam.folder).sheets[0].student.name
+    head, one, two = "student,problem,quantity,answer", first.replace(".", ","), second.replace(".", ",")
+    tables = [
+        f"{head}\r\n{code},{one},7\r\n{code},{two},{other:.5g}\r\n".replace(",", ";"),
+        f"{head}\n{name},{one},7\n{code.casefold()},{two},{other:.5g}\n",
+        f"student,{first},{second}\n{code},7,{other:.5g}\n",
+        f"{head},who\n{code},{one},7,Иванов\n{code},{two},{other:.5g},Ян\n",
+    ]
+    for number, table in enumerate(tables, 1):
+        content = table.encode("cp1251")
+        (marks / "typed.csv").write_bytes(content)
+        assert boxes(asking, code)[first] == ("7", "wrong"), table
+        answer = say(asking, code, int(problem), quantity, "'" + typed)  # as a spreadsheet marks a text
+        assert answer.status == 200 and answer.json()["verdict"] == "right"
+        assert boxes(asking, code)[first] == (typed, "right"), table
+        assert boxes(asking, code)[second] == (f"{other:.5g}", "right"), table
+        assert (marks / f"typed-{number}.csv").read_bytes() == content
+    say(asking, code, int(problem), quantity, "8")
+    assert len(list(marks.glob("typed-*"))) == len(tables)  # what the studio itself has written stays in place
+
+
+def test_readings_typed_into_what_was_written_count(asking: Asking, course: Path, scan_exam: Built) -> None:
+    """They are among the files of the command, so that the page has them, too."""
+    code, (name, value) = scan_exam.code(0), scan_exam.key[0][0]
+    result = course / "marks" / BUILD / "result"
+    result.mkdir(parents=True)
+    table = f"student,problem,quantity,reading\n{code},{name.replace('.', ',')},{value:.5g}\n"
+    (result / "review.csv").write_text(table)
+    assert boxes(asking, code)[name] == (f"{value:.5g}", "right")
+    command = re.search(r'id="command"[^>]*>([^<]*)', asking.get("/exam/mark").text)
+    assert command and command[1].count("review.csv") == 1 and "ANSWERS" not in command[1]
+    problem, quantity = name.split(".")
+    emptied = say(asking, code, int(problem), quantity, "").json()
+    assert (emptied["verdict"], emptied["before"], boxes(asking, code)[name]) == (
+        "blank",
+        f"{value:.5g}",
+        ("", "blank"),
+    )
+    assert bring(asking, b"student,1.v_B\nNo Body,5\n", "quiz.csv").status == 200
+    assert "quiz.csv, строка 2: такого студента в работе нет" in shown(asking, view="class", lang="ru")
+
+
+def test_nothing_is_removed_or_replaced_for_good(asking: Asking, course: Path, scan_exam: Built) -> None:
+    """Files and rules come back out of the bin; what is wrong is told in the language of the page."""
+    marks = course / "marks" / BUILD
+    russian = f"?build={BUILD}&lang=ru"
+    refused = asking.post(f"/exam/mark/write{russian}", {})
+    assert refused.status == 400 and "ответов ещё нет" in refused.text
+    table = f"student,1.v_B\n{scan_exam.code(0)},5\n".encode()
+    assert bring(asking, table).status == 200
+    kept = asking.post(f"/exam/mark/drop?build={BUILD}", {"file": "answers-1.csv"}).json()["kept"]
+    assert not (marks / "answers-1.csv").exists() and (marks / "bin" / kept).read_bytes() == table
+    assert bring(asking, b"student,1.v_B\nAnn Lee,6\n").status == 200
+    assert asking.post(f"/exam/mark/restore?build={BUILD}", {"kept": kept}).status == 200
+    assert (marks / "answers-1.csv").read_bytes() == table and (marks / "answers-2.csv").is_file()
+    for wrong in ("", "../typed.csv", kept, "1-x"):
+        assert asking.post(f"/exam/mark/restore?build={BUILD}", {"kept": wrong}).status == 400, wrong
+    use = {"fields": {"sign": "40"}, "use": True}
+    rules, wrong = "# of the chair\nfollow_through = 0.5\n", "# of the chair\nfollow_through = [\n"
+    (marks / "policy.toml").write_text(rules)
+    kept = asking.post(f"/exam/mark/policy{russian}", use).json()["kept"]
+    assert '"sign" = 0.4' in (marks / "policy.toml").read_text() and (marks / "bin" / kept).read_text() == rules
+    assert asking.post(f"/exam/mark/restore?build={BUILD}", {"kept": kept}).status == 200
+    assert (marks / "policy.toml").read_text() == rules
+    large = asking.post(f"/exam/mark/policy{russian}", {"fields": {"total_step": "99"}}).text
+    assert "шаг больше баллов всей работы" in large
+    (marks / "policy.toml").write_text(wrong)
+    for path, data in (("policy", use), ("write", {})):
+        refused = asking.post(f"/exam/mark/{path}{russian}", data)
+        assert refused.status == 400 and "policy.toml" in refused.text and "is not" not in refused.text, path
+    assert (marks / "policy.toml").read_text() == wrong
 
 
 def test_windows_lose_no_answers(asking: Asking, course: Path, scan_exam: Built) -> None:

@@ -16,7 +16,7 @@ from tests.studio.asking import Answer, Asking
 from tests.studio.conftest import Visit
 from tests.studio.test_attacks import SCRIPT
 from tests.studio.test_pages import barriers
-from variantgen.exam.roster import Student
+from variantgen.exam.roster import Student, read_class
 from variantgen.studio.roster import students
 from variantgen.studio.roster.table import ClassTable, Tab
 
@@ -43,6 +43,16 @@ def workbook(tabs: dict[str, Iterable[Sequence[str]]]) -> bytes:
     out = io.BytesIO()
     book.save(out)
     return out.getvalue()
+
+
+def seen(client: Asking) -> dict[str, str]:
+    """The version of the table that a window sees, and by what it is kept."""
+    return dict(re.findall(r'data-(version|key)="([^"]*)"', client.get("/exam/roster/shown").text))
+
+
+def said(client: Asking, what: str, data: dict[str, object]) -> Answer:
+    """What a window that sees the present table asks."""
+    return client.post(f"/exam/roster/{what}", {"version": seen(client)["version"], **data})
 
 
 def ready(client: Asking) -> dict[str, str]:
@@ -86,9 +96,9 @@ def test_tabs_are_groups_and_columns_are_said_once(client: Asking, folder: Path)
         for group, name, sign in (("A-1", "Ann", "q"), ("A-2", "Bob", "w"))
     }
     assert bring(client, workbook({**tabs, "Staff": [["Phone"], ["12"]]}), "..%2f..%2fevil.xlsx").status == 200
-    assert client.post("/exam/roster/say", {"tab": 0, "column": 1, "kind": "id"}).status == 200
+    assert said(client, "say", {"tab": 0, "column": 1, "kind": "id"}).status == 200
     assert ready(client) == {"ready": "yes", "taken": "no", "asked": "0\N{NO-BREAK SPACE}questions", "count": "4"}
-    assert client.post("/exam/roster/use", {}).json()["students"] == 4
+    assert said(client, "use", {}).json()["students"] == 4
     assert (folder / "roster.csv").read_text().splitlines()[1:] == [
         "q,Ann One,A-1",
         "qx,Ann Two,A-1",
@@ -98,8 +108,8 @@ def test_tabs_are_groups_and_columns_are_said_once(client: Asking, folder: Path)
     assert ready(client)["taken"] == "yes" and not (folder.parent / "evil.xlsx").exists()
     # The next list with these heads is read the same way, and a tab can be left out.
     bring(client, workbook({"B-1": [["Title of the year"], ["Person", "Sign"], ["Cem Three", "zz"]], **tabs}))
-    assert client.post("/exam/roster/say", {"tab": 2, "used": False}).status == 200
-    assert client.post("/exam/roster/use", {}).status == 200
+    assert said(client, "say", {"tab": 2, "used": False}).status == 200
+    assert said(client, "use", {}).status == 200
     assert (folder / "roster.csv").read_text().splitlines()[1:] == [
         "zz,Cem Three,B-1",
         "q,Ann One,A-1",
@@ -120,15 +130,13 @@ def test_ids_stay_those_of_the_last_build() -> None:
 
 def test_rows_that_need_an_answer_are_not_used_before(client: Asking, folder: Path) -> None:
     bring(client, "name,id\nAnn\N{ZERO WIDTH SPACE} Lee,1a\nBob Ray,\n,3c\nAnn Lee,1a\n")
-    assert ready(client)["asked"].startswith("4") and client.post("/exam/roster/use", {}).status == 400
+    assert ready(client)["asked"].startswith("4") and said(client, "use", {}).status == 400
     assert not (folder / "roster.csv").exists()
     shown = client.get("/exam/roster/shown").text
     answers = {"unseen": "clean", "no_id": "named", "no_name": "skip", "twice": "one"}
     for key in re.findall(r'data-question="([^"]*)"', shown):
-        assert (
-            client.post("/exam/roster/say", {"question": key, "answer": answers[key.rpartition(":")[2]]}).status == 200
-        )
-    assert client.post("/exam/roster/use", {}).json()["students"] == 2
+        assert said(client, "say", {"question": key, "answer": answers[key.rpartition(":")[2]]}).status == 200
+    assert said(client, "use", {}).json()["students"] == 2
     assert (folder / "roster.csv").read_text() == "id,name,group\n1a,Ann Lee,\nBob Ray,Bob Ray,\n"
 
 
@@ -141,7 +149,7 @@ def test_names_are_never_markup_nor_paths(client: Asking, folder: Path, language
     assert "<script>alert" not in shown and "onerror=alert(1)>" not in shown and "&lt;script&gt;alert" in shown
     bring(client, "name\nAnn Lee\n", "../../../etc/passwd%00")
     assert {path for path in folder.parent.rglob("*") if ".studio" not in path.parts} == before
-    assert {path.name for path in (folder / ".studio" / "roster").iterdir()} == {"table", "said.json"}
+    assert {path.name for path in (folder / ".studio" / "roster").iterdir()} == {"table", "said.json", "uploads"}
 
 
 def test_tables_that_cannot_be_read_are_refused(client: Asking, folder: Path) -> None:
@@ -159,9 +167,9 @@ def test_tables_that_cannot_be_read_are_refused(client: Asking, folder: Path) ->
         {"tab": 5, "kind": "id"}, {"column": 7, "kind": "id"}, {"column": 0, "kind": "no"}, {"begin": -1},
         {"question": "x", "answer": "no"}, {"column": [], "kind": "id"},
     ):  # fmt: skip
-        assert client.post("/exam/roster/say", data).status == 400, data
-    for said in ("[", "[]", '{"name": 5, "tabs": [{"kinds": [1], "begin": 1e9, "used": 2}], "answers": []}'):
-        (folder / ".studio" / "roster" / "said.json").write_text(said)
+        assert said(client, "say", data).status == 400, data
+    for text in ("[", "[]", '{"name": 5, "tabs": [{"kinds": [1], "begin": 1e9, "used": 2}], "answers": []}'):
+        (folder / ".studio" / "roster" / "said.json").write_text(text)
         assert client.get("/exam/roster/shown").status == 200
     assert client.ask("PUT", "/exam/roster/table?name=x", (b"name\nAnn Lee\n",), host="evil.example").status == 421
     assert (
@@ -175,5 +183,82 @@ def test_links_are_not_written_through(client: Asking, folder: Path) -> None:
     outside.write_text("name\nAnn Lee\n")
     (folder / "roster.csv").symlink_to(outside)
     bring(client, "name\nBob Ray\n")
-    assert client.post("/exam/roster/use", {}).status == 400
+    assert client.post("/exam/roster/use", {"version": ""}).status == 400
     assert outside.read_text() == "name\nAnn Lee\n"
+
+
+def test_no_list_is_lost_when_lists_are_taken_back(client: Asking, folder: Path) -> None:
+    """Only what the studio has written is taken back, to what was there before it, in the order of its steps."""
+    path, own = folder / "roster.csv", "id,name\n7,By Hand\n"
+
+    def used(name: str) -> str:
+        bring(client, f"id,name\nx1,{name}\n")
+        found: str = said(client, "use", {}).json()["list"]
+        return found
+
+    def back(of: str) -> int:
+        return client.post("/exam/roster/back", {"list": of}).status
+
+    path.write_text(own)
+    assert back("") == 400 and path.read_text() == own  # nothing was ever written
+    one, two = used("Ann Lee"), used("Bob Ray")
+    assert back(one) == 400 and "Bob Ray" in path.read_text()  # another window was the last
+    path.write_text(path.read_text() + "x2,Cem Hand,\n")
+    assert back(two) == 400 and "Cem Hand" in path.read_text()  # changed by hand since
+    assert "Cem Hand" in client.get("/exam/roster/shown").text
+    three = used("Dee Fox")
+    assert [back(three), back(three)] == [200, 400] and "Cem Hand" in path.read_text()
+    path.unlink()
+    four = used("Eve Roe")
+    assert [back(four), back(four)] == [200, 400] and not path.exists()
+    kept = [each.read_text() for each in (folder / ".studio" / "roster" / "lists").iterdir()]
+    assert own in kept and any("Eve Roe" in each for each in kept)
+
+
+def test_what_a_window_asks_is_of_the_table_that_it_sees(client: Asking, folder: Path) -> None:
+    """Two windows: the list of the other is not used, and neither table with its answers is lost."""
+    bring(client, "id,name\na1,Ann Lee\na1,Ann Roe\n", "A.csv")
+    assert said(client, "say", {"question": "row:0:3:twice", "answer": "two"}).status == 200
+    mine = seen(client)
+    assert bring(client, "id,name\nb1,Bob Ray\n", "B.csv").json() == {"before": mine["key"]}
+    answer = client.post("/exam/roster/use", {"version": mine["version"]})
+    assert (answer.status, answer.json()["theirs"]) == (409, "B.csv") and not (folder / "roster.csv").exists()
+    data = {"version": mine["version"], "question": "row:0:2:twice", "answer": "one"}
+    assert client.post("/exam/roster/say", data).status == 409
+    assert said(client, "take", {"table": mine["key"]}).status == 200
+    assert said(client, "use", {}).json()["students"] == 2 and "a1 [2],Ann Roe" in (folder / "roster.csv").read_text()
+    before = seen(client)
+    (folder / "roster.csv").write_text("id,name\n7,By Hand\n")
+    assert client.post("/exam/roster/use", {"version": before["version"]}).status == 409
+    assert said(client, "take", {"table": mine["key"]}).status == 200 and ready(client)["count"] == "2"
+    for key in ("../table", "0" * 16):
+        assert said(client, "take", {"table": key}).status == 400
+    assert said(client, "take", {"table": ""}).status == 200 and ready(client)["count"] == "1"
+    assert "By Hand" in client.get("/exam/roster/shown").text
+
+
+def test_ids_are_those_that_the_command_line_reads(client: Asking, folder: Path, tmp_path: Path) -> None:
+    """A column headed id is one, also where it counts; what nobody has said is not remembered for the next list."""
+    lists = {
+        "id,name,group\n1,Ann Bee,G\n2,Bob Cee,G\n": ["1", "2"],
+        "id,name,group\nab1,Ann Bee,G\nxy7,Bob Cee,G\n": ["ab1", "xy7"],
+        "No,name\n1,Ann Bee\n2,Bob Cee\n": ["Ann Bee", "Bob Cee"],
+        "No,name\n71,Ann Bee\n85,Bob Cee\n": ["71", "85"],
+        "No,name\n1,Ann Bee\n2,Bob Cee\nTotal 2,\n": ["Ann Bee", "Bob Cee"],
+    }
+    for text, ids in lists.items():
+        (tmp_path / "class.csv").write_text(text)
+        assert [student.id for student in read_class(tmp_path / "class.csv").students] == ids
+        assert bring(client, text).status == said(client, "use", {}).status == 200
+        assert [student.id for student in read_class(folder / "roster.csv").students] == ids
+    (folder / "roster.csv").write_text("id,name\n1,Ann Bee\n2,Bob Cee\n")  # made by hand
+    shown = client.get("/exam/roster/shown").text
+    assert re.findall(r'value="(\w*)" selected', shown) == ["id", "name"] and ready(client)["taken"] == "yes"
+    assert "The ids only count the rows" in shown
+
+
+def test_rows_that_are_not_shown_are_counted_in_every_tab(client: Asking) -> None:
+    long = [["name", "id"], *([f"Ann {chr(97 + i % 26) * (1 + i // 26)}", f"s{i}"] for i in range(306))]
+    bring(client, workbook({"A": [["name", "id"], ["Bob Ray", "b"]], "B": long}))
+    assert "more rows" not in client.get("/exam/roster/shown?tab=0").text
+    assert "7 more rows" in client.get("/exam/roster/shown?tab=1").text

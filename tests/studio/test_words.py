@@ -78,6 +78,7 @@ def test_messages_of_the_studio_are_told_in_russian() -> None:
     assert all(english.count("{}") == russian.count("{}") for english, russian in known.items())
     assert in_language("expected a whole number, 1 to 5", "ru") == "ожидалось целое число от 1 до 5"
     assert in_language("unknown key (got pionts)", "ru") == "неизвестный ключ (получено pionts)"
+    assert in_language("unknown key (pionts)", "ru") == "неизвестный ключ (pionts)"
     assert in_language("did you mean points?", "ru") == "имелось в виду points?"
     assert in_language("unknown key", "en") == in_language("unknown key", "") == "unknown key"
     assert in_language("nobody has said this", "ru") == "nobody has said this"

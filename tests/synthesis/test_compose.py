@@ -100,7 +100,7 @@ def _nothing_is_composed(monkeypatch: pytest.MonkeyPatch) -> None:
         raise AssertionError("composed again")
 
     monkeypatch.setattr(composed_pools, "write", refuse)
-    monkeypatch.setattr(composed_pools, "_pool", composed_pools._pool.__wrapped__)
+    monkeypatch.setattr(composed_pools, "_pools", {})
 
 
 def test_an_exam_of_composed_problems_is_verified_from_its_manifest(
@@ -126,6 +126,10 @@ def test_a_pool_beside_the_exam_is_taken_as_a_whole(
     exam = tmp_path / "exam.toml"
     exam.write_text((built / "exam.toml").read_text())
     assert main(["compose", "--exam", str(exam)]) == 0
+    told = [line for line in capsys.readouterr().err.splitlines() if line.startswith("composing")]
+    if told:  # unless a test before has made the same pool
+        assert told[0] == "composing problem 1: 0 of 2 families"
+        assert told[-1] == "composing problem 1: 2 of 2 families"
     kept = sorted(path for path in tmp_path.iterdir() if path.is_dir())
     assert [path.name[:6] for path in kept] == ["rrp01_", "rrp10_"]
     _nothing_is_composed(monkeypatch)
@@ -154,6 +158,29 @@ def test_a_pool_that_cannot_be_is_told(
     exam.write_text(f'title = "Composed"\nlanguage = "en"\n[[problem]]\ncompose = {compose}\n')
     assert main(["build", str(exam), "--variants", "2", "--out", str(tmp_path / "no")]) == 2
     assert told in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("more", "told"),
+    [
+        ("pionts = 5", "did you mean points"),
+        ('[[problem]]\nfamily = "four_barr"', "did you mean four_bar"),
+        ("[marking]\ntolerance = -1", "above 0"),
+        ('[marking]\nstruck = ["1.v_B", "7"]', "the exam has no such problem"),
+        ("[page]\nduplx = true", "did you mean duplex"),
+    ],
+)
+def test_everything_else_is_checked_before_families_are_composed(
+    more: str, told: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    _nothing_is_composed(monkeypatch)
+    exam = tmp_path / "exam.toml"
+    head = 'title = "Composed"\nlanguage = "en"\n[[problem]]\ncompose = { links = 3, structures = 2 }\n'
+    exam.write_text(f"{head}{more}\n")
+    assert main(["build", str(exam), "--variants", "2", "--out", str(tmp_path / "no")]) == 2
+    message = capsys.readouterr().err
+    assert told in message
+    assert "composing" not in message
 
 
 def test_members_of_a_pool_ask_for_the_same_and_take_nearly_the_same(tmp_path: Path) -> None:

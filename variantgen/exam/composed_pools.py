@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import atexit
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import ExitStack, suppress
 from functools import cache
 from pathlib import Path
@@ -27,6 +27,7 @@ _USUAL, _ENOUGH = 10, 5  # of one that does not say how many
 _WIDTH = 1.2  # most calculations over fewest of a pool
 _EACH, _ROUNDS = 6, 3  # structures looked at for each that is wanted, families of each
 _lasting = ExitStack()
+_pools: dict[tuple[_Options, int | None], tuple[Path, ...]] = {}  # that were made in this process
 
 
 class _Options(NamedTuple):
@@ -52,11 +53,14 @@ class _Member(NamedTuple):
     folder: Path
 
 
-def read_composed(table: Table, folders: Sequence[Path]) -> tuple[str, ...]:
+def read_composed(
+    table: Table, folders: Sequence[Path], made: bool = True, tell: Callable[[str], object] = str
+) -> tuple[str, ...]:
     """The families of ``compose = { groups, links, level, structures, seed }`` of a problem: names, or paths.
 
     A pool that lies in one of the folders is taken as it lies there; else it is made, in a folder that lasts as long as
-    the process. Mistakes are noted in the table, and that there are fewer than wanted.
+    the process, or none is returned if it shall not be ``made`` yet. Mistakes are noted in the table, and that there
+    are fewer than wanted. ``tell`` is told how many families of it are made.
     """
     noted = len(table.problems)
     groups = tuple(dict.fromkeys(table.strings("groups")))
@@ -82,7 +86,14 @@ def read_composed(table: Table, folders: Sequence[Path]) -> tuple[str, ...]:
                 remedy = f"structures = {len(names)}; or remove them, and the pool is made anew"
                 table.problem(f"{folder} has {len(names)} families of this pool", "structures", said, remedy)
             return tuple(names)
-    found = _pool(options, said)
+    if not made:
+        return ()
+    found = _pools.get((options, said))
+    if found is None:
+        where = table.path.removesuffix("].compose").replace("[", " ")
+        found = _pools[options, said] = _pool(
+            options, said, lambda ready, count: tell(f"composing {where}: {ready} of {count} families")
+        )
     if len(found) < (said or 1):
         remedy = f"structures = {len(found)}, " if found else ""
         message = f"only {len(found)} structures give problems that are comparable in work"
@@ -90,8 +101,7 @@ def read_composed(table: Table, folders: Sequence[Path]) -> tuple[str, ...]:
     return tuple(map(str, found))
 
 
-@cache
-def _pool(options: _Options, said: int | None) -> tuple[Path, ...]:
+def _pool(options: _Options, said: int | None, report: Callable[[int, int], object]) -> tuple[Path, ...]:
     """The folders of so many families, or of as many as there are.
 
     One after the other is made, of each structure one and then another one, until so many of different structures take
@@ -99,6 +109,7 @@ def _pool(options: _Options, said: int | None) -> tuple[Path, ...]:
     are needed.
     """
     count = said or _USUAL
+    report(0, count)
     structures = shuffled(chosen_structures(options.groups, options.links), options.seed, options.level)[
         : _EACH * count
     ]
@@ -111,7 +122,9 @@ def _pool(options: _Options, said: int | None) -> tuple[Path, ...]:
                 break
             with suppress(InputError):  # other structures take its place
                 made.append(_member(options, structure, round_, tried))
-                best = max(best, _alike(made, count), key=len)
+                before, best = len(best), max(best, _alike(made, count), key=len)
+                if len(best) > before:
+                    report(len(best), count)
         if said is None and len(best) >= _ENOUGH:
             break
     return tuple(sorted(member.folder for member in best))

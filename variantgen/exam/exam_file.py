@@ -23,7 +23,7 @@ from variantgen.exam.wanted_work import WIDTH, Span, read_fair, read_work
 from variantgen.families.asking import Ask, check_ask, read_ask
 from variantgen.families.family import Family
 from variantgen.families.folders import family_folders
-from variantgen.families.length_units import check_length_unit
+from variantgen.families.length_units import read_length_unit
 from variantgen.families.load import load_family
 from variantgen.families.method_names import check_methods
 from variantgen.families.restrict import restrict
@@ -33,7 +33,7 @@ from variantgen.methods.solution_options import Depth, SolutionOptions
 from variantgen.resources import languages
 from variantgen.tables import Table, parse_toml, read_text
 from variantgen.wording.language import Language, load_language
-from variantgen.wording.notation import CHOICES, USUAL, Notation
+from variantgen.wording.notation import USUAL, Notation, read_notation
 
 SCHEMA = 1
 
@@ -152,7 +152,23 @@ def parse_exam(
     """The exam of the text of a file. Raises InputError with every problem found, which names the path.
 
     Outputs are not known here: ``chosen`` checks the names of formats, ``readers`` read the table of each of them.
+    Everything else is checked before families are composed, which takes long.
     """
+    exam = _exam(text, path, folders, chosen, readers, composed=False)
+    if all(task.families for task in exam.tasks):
+        return exam
+    return _exam(text, path, folders, chosen, readers, composed=True)
+
+
+def _exam(
+    text: str,
+    path: Path,
+    folders: tuple[Path, ...],
+    chosen: Callable[[Sequence[str]], tuple[str, ...]],
+    readers: Mapping[str, Callable[[Table], Any]],
+    composed: bool,
+) -> Exam:
+    """See :func:`parse_exam`; not ``composed``: a problem has no families if these are still to be composed."""
     problems: list[Problem] = []
     top = Table(parse_toml(text, path), "", problems)
     _check_schema(top)
@@ -165,7 +181,7 @@ def parse_exam(
     with top.collecting("formats"):
         formats = chosen(top.strings("formats", formats))
     tolerance = read_tolerance(top)
-    tasks = _tasks(top, folders, tolerance, _units(top))
+    tasks = _tasks(top, folders, tolerance, read_length_unit(top), composed)
     exam = Exam(
         title=_printed(top, "title", top.need("title", str, "")),
         course=_printed(top, "course", top.take("course", str, "")),
@@ -179,7 +195,7 @@ def parse_exam(
         hash=hashlib.sha256(text.encode()).hexdigest()[:16],
         text=text,
         solutions=read_solutions(top.table("solutions"), language),
-        notation=_notation(top.table("notation")),
+        notation=read_notation(top.table("notation")),
         formats=formats,
         sort=top.choice("sort", SORTS),
         options=_options(top, formats, readers),
@@ -196,8 +212,10 @@ def parse_exam(
     return exam
 
 
-def _asked(task: ExamProblem) -> frozenset[str]:
-    """The names of all that a problem may ask."""
+def _asked(task: ExamProblem) -> frozenset[str] | None:
+    """The names of all that a problem may ask; None as long as it has no families."""
+    if not task.families:
+        return None
     forms = (form for family in task.families for form in family.forms.values())
     return frozenset(quantity.name for form in forms for quantity in read_ask(form, task.ask))
 
@@ -220,19 +238,9 @@ def _printed(top: Table, key: str, text: str) -> str:
     return text
 
 
-def _units(top: Table) -> str:
-    """The unit of length of data and answers, of the exam or of one problem; '' if nothing is said there.
-
-    Mistakes are noted in the table.
-    """
-    name = top.take("units", str, "")
-    if "units" in top.data:
-        with top.collecting("units"):
-            return check_length_unit(name, "")
-    return ""
-
-
-def _tasks(top: Table, folders: tuple[Path, ...], usual: Tolerance, units: str) -> tuple[ExamProblem, ...]:
+def _tasks(
+    top: Table, folders: tuple[Path, ...], usual: Tolerance, units: str, composed: bool
+) -> tuple[ExamProblem, ...]:
     """The problems that can be read; what is wrong with the others is noted."""
     within = top.bounded("problem", PROBLEMS)
     tables = top.tables("problem")
@@ -240,28 +248,19 @@ def _tasks(top: Table, folders: tuple[Path, ...], usual: Tolerance, units: str) 
         top.problem(
             "an exam needs at least one problem", "problem", remedy='add a table [[problem]] with family = "..."'
         )
-    found = (_task(table, number, folders, usual, units) for number, table in enumerate(tables, start=1))
+    found = (_task(table, number, folders, usual, units, composed) for number, table in enumerate(tables, start=1))
     return tuple(task for task in found if task)
 
 
-def _notation(table: Table) -> Notation:
-    """The letters that the course is used to; mistakes are noted in the table."""
-    chosen = {name: table.take(name, str, "") for name in CHOICES}
-    table.finish()
-    try:
-        return Notation(**chosen)
-    except InputError as error:
-        table.problems += [replace(problem, key=table.key(problem.key)) for problem in error.problems]
-        return USUAL
-
-
-def _task(table: Table, number: int, folders: tuple[Path, ...], usual: Tolerance, units: str) -> ExamProblem | None:
+def _task(
+    table: Table, number: int, folders: tuple[Path, ...], usual: Tolerance, units: str, composed: bool
+) -> ExamProblem | None:
     before = len(table.problems)
     for key in ("families", "form", "ask", "method"):
         table.bounded(key, LISTED)
     if len(table.problems) > before:
         return None
-    names = read_names(table, folders)
+    names = read_names(table, folders, composed)
     forms = (table.take("form", str, ""),) if isinstance(table.data.get("form"), str) else table.strings("form")
     fixed = table.take("set", dict, {}, "a table of parameters")
     ranges = table.take("range", dict, {}, "a table of parameters with [lowest, highest]")
@@ -276,7 +275,7 @@ def _task(table: Table, number: int, folders: tuple[Path, ...], usual: Tolerance
     methods = (table.take("method", str, ""),) if single else table.strings("method")
     with table.collecting("method"):
         methods = check_methods(methods)
-    units = _units(table) or units
+    units = read_length_unit(table) or units
     work = read_work(table)
     sketch, graph = table.strings("sketch"), table.take("graph", bool, False)
     table.finish()
@@ -286,7 +285,8 @@ def _task(table: Table, number: int, folders: tuple[Path, ...], usual: Tolerance
             family = restrict(load_family(name, folders), fixed, ranges, forms, nice, units=units)
             check_ask(family, ask, load_family(name, folders))
             families.append(with_curves(family, sketch, graph))
-    check_forms(table, ask, families)
+    if names:
+        check_forms(table, ask, families)
     if len(table.problems) > before:
         return None
     return ExamProblem(

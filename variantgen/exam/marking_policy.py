@@ -79,7 +79,7 @@ def rounded(points: Fraction, step: Decimal) -> Fraction:
     return floor(points / size + Fraction(1, 2)) * size if size else points
 
 
-def read_policy_file(path: Path, asked: Mapping[int, frozenset[str]]) -> MarkingPolicy:
+def read_policy_file(path: Path, asked: Mapping[int, frozenset[str] | None]) -> MarkingPolicy:
     """The policy of a file of its own; ``asked`` are the names of what each problem asks. Raises InputError."""
     problems: list[Problem] = []
     policy = read_policy(Table(read_toml(path), "", problems), asked)
@@ -88,8 +88,8 @@ def read_policy_file(path: Path, asked: Mapping[int, frozenset[str]]) -> Marking
     return policy
 
 
-def read_policy(table: Table, asked: Mapping[int, frozenset[str]]) -> MarkingPolicy:
-    """The policy that a table says; mistakes are noted in it."""
+def read_policy(table: Table, asked: Mapping[int, frozenset[str] | None]) -> MarkingPolicy:
+    """The policy that a table says; mistakes are noted in it. ``asked``: None where it is not known yet."""
     shares = table.table("shares")
     for name in shares.data:
         if name not in CAUSES:
@@ -124,7 +124,7 @@ def _within(table: Table, name: str, most: int, usual: Decimal = Decimal(0), zer
     return found
 
 
-def _points(table: Table, asked: Mapping[int, frozenset[str]]) -> list[tuple[int, Decimal]]:
+def _points(table: Table, asked: Mapping[int, frozenset[str] | None]) -> list[tuple[int, Decimal]]:
     found = []
     for name in table.data:
         if not name.isdecimal() or int(name) not in asked:
@@ -134,7 +134,7 @@ def _points(table: Table, asked: Mapping[int, frozenset[str]]) -> list[tuple[int
     return found
 
 
-def _named(table: Table, name: str, asked: Mapping[int, frozenset[str]], whole: bool = False) -> frozenset[str]:
+def _named(table: Table, name: str, asked: Mapping[int, frozenset[str] | None], whole: bool = False) -> frozenset[str]:
     """Problems by their numbers, and answers as ``2.a_B`` unless only whole problems are meant."""
     found: Any = table.strings(name) if name in table.data else ()
     table.expect(name)
@@ -146,10 +146,10 @@ def _named(table: Table, name: str, asked: Mapping[int, frozenset[str]], whole: 
             table.problem("expected a problem or an answer", name, text, f'write "{number}" or "{number}.v_B"')
         elif quantity and whole:
             table.problem("expected the number of a problem", name, text, f'write "{number}"')
-        elif quantity and quantity not in asked[int(number)]:
-            table.problem("the problem asks for no such quantity", name, text, nearest(quantity, asked[int(number)]))
+        elif quantity and (known := asked[int(number)]) is not None and quantity not in known:
+            table.problem("the problem asks for no such quantity", name, text, nearest(quantity, known))
     return frozenset(f"{int(n)}{dot}{q}" for n, dot, q in (text.partition(".") for text in found) if n.isdecimal())
 
 
-def _numbers(asked: Mapping[int, frozenset[str]]) -> str:
+def _numbers(asked: Mapping[int, frozenset[str] | None]) -> str:
     return "the problems are " + ", ".join(map(str, sorted(asked)))

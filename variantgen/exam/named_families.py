@@ -3,17 +3,23 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from contextvars import ContextVar
 from pathlib import Path
 
 from variantgen.families.files import is_file_of_family
 from variantgen.tables import Table
 
+# Who is told what is being composed, which takes its time; usually nobody.
+composing: ContextVar[Callable[[str], object]] = ContextVar("composing", default=str)
 _WAYS = ("family", "families", "compose")
 
 
-def read_names(table: Table, folders: Sequence[Path]) -> tuple[str, ...]:
-    """The names or paths of the families of a problem; mistakes are noted in the table."""
+def read_names(table: Table, folders: Sequence[Path], composed: bool = True) -> tuple[str, ...]:
+    """The names or paths of the families of a problem; mistakes are noted in the table.
+
+    Not ``composed``: a pool that is not there yet is not made, and has no names.
+    """
     table.expect(*_WAYS)
     given = [key for key in _WAYS if key in table.data]
     if len(given) > 1:
@@ -22,7 +28,7 @@ def read_names(table: Table, folders: Sequence[Path]) -> tuple[str, ...]:
     if given == ["compose"]:
         from variantgen.exam.composed_pools import read_composed  # figures and methods, which no other exam needs here
 
-        return read_composed(table.table("compose"), folders)
+        return read_composed(table.table("compose"), folders, composed, composing.get())
     names = table.strings("families") if given == ["families"] else (table.take("family", str, ""),)
     if not given or not names:
         table.problem("missing, expected the name of a family", "family")

@@ -190,6 +190,6 @@ def solution_figure_faults(
     for figure in (figure for row in figures.rows() for figure in row if figure.name != STATEMENT):
         faults = [*figure_faults(figure.drawing), *vector_faults(figure.drawing)]
         # A plan is as large as its scale says.
-        if figure.index_size < LEAST_INDEX and not figure.name.endswith("_plan"):
+        if round(figure.index_size, 1) < LEAST_INDEX and not figure.name.endswith("_plan"):
             faults.append(f"its indices have {figure.index_size:.1f} pt, fewer than {LEAST_INDEX:g}")
         yield from (f"the figure {figure.name} of the solution ({language.name}): {fault}" for fault in faults)

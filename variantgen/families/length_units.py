@@ -19,6 +19,7 @@ from variantgen.families.draw_rules import TiedValues
 from variantgen.families.family import Family, Form
 from variantgen.families.parameter import Parameter
 from variantgen.families.units import LENGTHS, UNITS, Unit
+from variantgen.tables import Table
 
 _CONSTANT = Context(prec=3)
 _ROUND = (1, 2, 5)
@@ -30,6 +31,15 @@ def check_length_unit(name: str, key: str) -> str:
         remedy = "one of " + ", ".join(LENGTHS)
         raise InputError(Problem("expected a unit of length", key=key, value=name, remedy=remedy))
     return name
+
+
+def read_length_unit(table: Table) -> str:
+    """The key ``units`` of an exam or of one problem; '' if nothing is said there. Mistakes are noted in the table."""
+    name = table.take("units", str, "")
+    if "units" in table.data:
+        with table.collecting("units"):
+            return check_length_unit(name, "")
+    return ""
 
 
 def in_unit(family: Family, length: str) -> Family:

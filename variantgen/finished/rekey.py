@@ -22,7 +22,7 @@ from variantgen.exam.tolerance import LARGEST
 from variantgen.finished.restore import Finished
 from variantgen.outputs.files.edited import EDITED
 from variantgen.outputs.files.folder import file_hashes, whole_folder
-from variantgen.outputs.files.records import key_rows, manifest_frame, manifest_lines, write_key_csv, write_manifest
+from variantgen.outputs.files.records import key_rows, manifest_head, manifest_lines, write_key_csv, write_manifest
 from variantgen.outputs.formats import STUDENTS_PER_PART, Chunk, Fragment, WholeExam, format_of
 from variantgen.outputs.typst.typesetter import Typesetter
 
@@ -98,8 +98,8 @@ def rekey(finished: Finished, folder: Path, exam: Exam, engine: Typesetter) -> R
         rest = {name: hashed for name, hashed in before.files.items() if name not in new}
         lines = (manifest_lines(exam, part).encode() for part in _parts(sheets))
         hashes = dict(sorted({**rest, **new}.items()))
-        frame = manifest_frame(exam, before.made_with, before.redrawn, before.pages, hashes, before.bands)
-        write_manifest(fresh / NAME, frame, made.pieces("json", lines))
+        head = manifest_head(exam, before.made_with, before.redrawn, before.pages, hashes, before.bands)
+        write_manifest(fresh / NAME, head, made.pieces("json", lines))
         renewed |= {*new, NAME}
         _put_together(folder, fresh, work, renewed)
         shutil.rmtree(fresh)

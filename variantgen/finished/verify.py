@@ -6,21 +6,24 @@ differentiating numerically (:mod:`variantgen.mechanism.verify`), which shares n
 
 from __future__ import annotations
 
+import csv
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import islice, tee
+from itertools import islice, tee, zip_longest
 from pathlib import Path
 
 import numpy as np
 
-from variantgen.exam.manifest import NAME, RecordedAnswer, RecordedProblem, RecordedSheet
+from variantgen.exam.manifest import NAME, Manifest, RecordedAnswer, RecordedProblem, RecordedSheet
 from variantgen.families.asking import read_ask
 from variantgen.families.quantities import Quantity, motion_order
 from variantgen.finished.restore import Finished
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.verify import recompute
-from variantgen.outputs.files.edited import EDITED, is_meant
+from variantgen.outputs.files.edited import EDITED, file_hash, is_meant
 from variantgen.outputs.files.folder import file_hashes
+from variantgen.outputs.files.records import KEY, RECORDED, recorded_rows
 from variantgen.variants.variant import Variant, solve_variants
 
 # Of an answer's size, or of the largest speed (acceleration) of the mechanism: numbers of the key have eight digits,
@@ -46,6 +49,7 @@ class VerificationReport:
 def verify(finished: Finished, folder: Path) -> VerificationReport:
     """Compute every answer again and look whether the files are as they were built."""
     faults, edited = _files(finished, folder)
+    faults += _students(finished.record) or _key(finished.record, folder)
     largest, count = 0.0, 0
     sheets, same = tee(replace(sheet, problems=tuple(sheet.problems)) for sheet in finished.record.sheets)
     pairs = zip(sheets, finished.variants(same), strict=True)
@@ -137,6 +141,39 @@ def _largest(quantity: Quantity, motion: Motion) -> np.ndarray:
     points = (motion.v if quantity.order == 1 else motion.a).values()
     largest = np.max([np.abs(x) for x in points], axis=0)
     return np.asarray(largest / motion.length_scale() if quantity.is_rotation else largest)
+
+
+def _students(record: Manifest) -> list[str]:
+    """Codes and ids that several students have, and that the entries of students are not as they were built."""
+    faults = [
+        f"{NAME}: {count} students have the {what} {value}"
+        for what, values in (
+            ("id", Counter(sheet.student.id for sheet in record.sheets)),
+            ("code", Counter(sheet.code for sheet in record.sheets)),
+        )
+        for value, count in values.items()
+        if count > 1
+    ]
+    if record.students_changed:
+        faults.append(f"{NAME}: the students have been changed since the build; restore it from a copy")
+    return faults
+
+
+def _key(record: Manifest, folder: Path) -> list[str]:
+    """The first entry of ``key.csv``, as it was built, that is not in the manifest: an entry was edited there."""
+    path = folder / KEY
+    if not path.is_file() or file_hash(path) != record.files.get(KEY):
+        return []  # which is said
+    with path.open(encoding="utf-8-sig", errors="replace", newline="") as file:
+        rows = csv.reader(file)
+        shared = next(rows, [])[: len(RECORDED)]
+        if tuple(shared) != RECORDED:
+            return []  # of another version
+        for row, own in zip_longest(rows, recorded_rows(record.sheets)):
+            if row is None or own is None or row[: len(RECORDED)] != own:
+                who = (row or own or ["?"])[0]
+                return [f"{NAME}: the students have been changed since the build; {KEY} has others from {who} on"]
+    return []
 
 
 def _files(finished: Finished, folder: Path) -> tuple[list[str], list[str]]:

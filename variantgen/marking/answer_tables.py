@@ -18,12 +18,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from variantgen.errors import InputError, Problem
-from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster.columns import cell_of
 from variantgen.exam.roster.table_files import read_worksheets
 from variantgen.exam.roster.worksheet import Worksheet
 from variantgen.limits import ANSWER_COLUMNS, TITLE_ROWS
 from variantgen.marking.attempts import NO_TEXTS, AttemptReport, lacks_texts, report_of
+from variantgen.marking.form_words import FormWords
 from variantgen.marking.heads import asked_by, check_heads, in_unit, kind_of, known_unit, renamed, unit_of, unused
 
 _PROBLEM = re.compile(r"[0-9]{1,3}")
@@ -74,48 +74,6 @@ class ReadAnswers:
     corrections: tuple[HandedIn, ...] = ()
 
 
-@dataclass(frozen=True)
-class FormWords:
-    """The words by which the form for marking is known: heads of its first columns, of the column that says what is
-    asked, of the last column of each problem; and the numbers of the problems in their order.
-    """
-
-    heads: tuple[str, ...]
-    asked: str
-    last: str
-    problems: tuple[int, ...]
-
-    @classmethod
-    def of(cls, exam: Exam) -> FormWords:
-        """The words of the form of an exam."""
-        language = exam.spoken
-        words = language.words("spreadsheet")
-        heads = (language.words("key")["variant"], words["id"], words["name"], words["group"])
-        return cls(heads, words["asked"], words["adjustment"], tuple(task.number for task in exam.tasks))
-
-    def columns(self, cells: Sequence[str]) -> dict[int, tuple[int, int]]:
-        """Where answers are typed, by column the number of the problem and of the answer in it; {} for another table.
-
-        ``cells`` are those of a row that may be the head. A problem has a column for each answer, then one for the
-        points of each, then the last one.
-        """
-        ends = [column for column, cell in enumerate(cells) if cell == self.last]
-        if tuple(cells[: len(self.heads)]) != self.heads or len(ends) != len(self.problems):
-            return {}
-        found: dict[int, tuple[int, int]] = {}
-        start = len(self.heads) + 2 + len(self.problems)  # behind the sum, the per cent, the sums of the problems
-        for number, end in zip(self.problems, ends, strict=True):
-            first = start + (cells[start] == self.asked)
-            found |= {first + answer: (number, answer) for answer in range((end - first) // 2)}
-            start = end + 1
-        return found
-
-    def corrections(self, cells: Sequence[str]) -> dict[int, int]:
-        """The columns with points given or taken by hand, with the problems they belong to."""
-        ends = (column for column, cell in enumerate(cells) if cell == self.last)
-        return dict(zip(ends, self.problems, strict=True))
-
-
 def read_answers(
     paths: Sequence[Path],
     form: FormWords,
@@ -163,13 +121,16 @@ class _Tables:
         self.answers: list[HandedIn] = []
         self.left: list[NotMatched] = []
         self.corrections: list[HandedIn] = []
+        self.apart = False  # whether points by hand have a worksheet of their own, which the form only shows
 
     def read(self) -> None:
         """Read every worksheet that has answers."""
         if not self.sheets:
             raise InputError(Problem("the table is empty", remedy="its first row names the columns"))
+        heads = [cells for sheet in self.sheets for _, cells in sheet.rows[:TITLE_ROWS]]
+        self.apart = any(map(self.form.own_corrections, heads))
         understood = [self._sheet(sheet) for sheet in self.sheets]
-        form = any(self.form.columns(cells) for sheet in self.sheets for _, cells in sheet.rows[:TITLE_ROWS])
+        form = any(map(self.form.columns, heads))
         for sheet, read in zip(self.sheets, understood, strict=True):
             if not read and not form:  # beside the form stand the answers of the key
                 head = ", ".join(sheet.rows[0][1])[:80]
@@ -190,6 +151,9 @@ class _Tables:
         for place, (_, cells) in enumerate(sheet.rows[:TITLE_ROWS]):
             if columns := self.form.columns(cells):
                 self._filled(sheet, place, columns)
+                return True
+            if corrected := self.form.own_corrections(cells):
+                self._corrected(sheet, place, corrected)
                 return True
             if report := report_of(cells, kind_of):
                 self._attempts(sheet, place, report)
@@ -216,7 +180,6 @@ class _Tables:
         return f"{self.name}, " + (f"worksheet {title}, " if title else "") + f"row {number}"
 
     def _filled(self, sheet: Worksheet, head: int, columns: Mapping[int, tuple[int, int]]) -> None:
-        ends = self.form.corrections(sheet.rows[head][1])
         asked = Counter(problem for problem, _ in columns.values())
         for number, cells in sheet.rows[head + 1 :]:
             who = tuple(cell for cell in cells[: len(self.form.heads) - 1] if cell)  # code, id, name
@@ -225,11 +188,17 @@ class _Tables:
                     self.answers.append(HandedIn(self._where(sheet, number), who, problem, answer, text))
                 points = column + asked[problem]
                 if sheet.computed and (text := cell_of(cells, points)) and (number, points) not in sheet.computed:
-                    remedy = "type what is to be added or taken away into the column \N{PLUS-MINUS SIGN}"
+                    remedy = "type what is to be added or taken away into the worksheet of corrections"
                     why = "points typed over their formula are not read"
                     self.left.append(NotMatched(self._where(sheet, number), f"{problem}: {text}"[:80], why, remedy))
-            for column, problem in ends.items():
-                if text := cell_of(cells, column):
+        self._corrected(sheet, head, self.form.corrections(sheet.rows[head][1]), shown=self.apart)
+
+    def _corrected(self, sheet: Worksheet, head: int, columns: Mapping[int, int], shown: bool = False) -> None:
+        """Read points given or taken by hand; ``shown``: formulas only repeat them."""
+        for number, cells in sheet.rows[head + 1 :]:
+            who = tuple(cell for cell in cells[: len(self.form.heads) - 1] if cell)
+            for column, problem in columns.items():
+                if (text := cell_of(cells, column)) and not (shown and (number, column) in sheet.computed):
                     self.corrections.append(HandedIn(self._where(sheet, number), who, problem, "", text))
 
     def _attempts(self, sheet: Worksheet, head: int, report: AttemptReport) -> None:

@@ -171,8 +171,8 @@ def _with_causes(finished: Finished, key: Key, marks: Sequence[MarkedAnswer]) ->
         near = known[group].of(place, [(item.answer, item.value) for item in own if item.value is not None])
         for item in own:
             cause = _cause(item, sheets[place], mistakes[place, number])
-            if near is not None and cause.name in ("other", "rounding"):
-                cause = Cause("neighbour", key.record.sheets[near].code)
+            if near is not None and item.answer.quantity.name in near[1] and cause.name in ("other", "rounding"):
+                cause = Cause("neighbour", key.record.sheets[near[0]].code)
             found[place, number, item.answer.quantity.name] = cause
     keys = ((item.place, item.problem, item.answer.quantity.name) for item in marks)
     return [replace(item, cause=found.get(own, item.cause)) for own, item in zip(keys, marks, strict=True)]

@@ -15,6 +15,7 @@ from variantgen.families.files import CASES, FAMILY
 from variantgen.limits import TOML_BYTES
 from variantgen.studio.documents.document import ConflictError, Mistake, line_of, located
 from variantgen.studio.documents.journal import version_of
+from variantgen.studio.messages import explained
 from variantgen.studio.studio import UnknownKeyError
 from variantgen.studio.words import LANGUAGES
 from variantgen.studio.workspace import Workspace, is_own, write_whole
@@ -55,6 +56,8 @@ def _text(path: Path) -> str:
         )
     if not path.exists():
         return ""
+    if not path.is_file():
+        raise InputError(Problem("is no file", file=str(path), remedy="move it elsewhere"))
     try:
         return read_limited(path, TOML_BYTES).decode("utf-8-sig")
     except UnicodeDecodeError:
@@ -66,28 +69,46 @@ def versions(found: Mapping[str, str]) -> dict[str, str]:
     return {name: version_of(text) for name, text in found.items()}
 
 
-def save(folder: Path, file: str, text: str, version: str) -> str:
+def save(workspace: Workspace, name: str, file: str, text: str, version: str, settles: bool = False) -> str:
     """Write a file of a family that was seen in a version; its new version. Raises ConflictError, InputError.
 
     It is written with mistakes too: it is the author's, and what is wrong with it is said beside it. Ends of lines
-    stay as the file has them.
+    stay as the file has them. A text in conflict is a draft until it is kept after all or a choice ``settles`` it.
     """
     if file not in FILES:
         raise InputError(Problem("is no file of a family", key="file", value=file[:40]))
-    path = folder / file
+    path, draft = folder_of(workspace, name) / file, _draft(workspace, name, file)
 
     def compare() -> None:
         now = _text(path)
-        if version_of(now) != version and now != text:
+        if version_of(now) != version and _lines(now) != _lines(text):
+            write_whole(draft, text)
             raise ConflictError(file, text, now)
 
     before = _text(path)
     compare()
     if "\r\n" in before:
-        text = text.replace("\r\n", "\n").replace("\n", "\r\n")
+        text = _lines(text).replace("\n", "\r\n")
     if text != before:
         write_whole(path, text, compare)
+    if settles or (draft.is_file() and _lines(_text(draft)) == _lines(text)):
+        draft.unlink(missing_ok=True)
     return version_of(text)
+
+
+def drafts(workspace: Workspace, name: str, found: Mapping[str, str]) -> dict[str, str]:
+    """The texts that were in conflict when their window was closed, by file; ``found`` are those of the files."""
+    own = {file: _text(_draft(workspace, name, file)) for file in found if _draft(workspace, name, file).is_file()}
+    return {file: text for file, text in own.items() if _lines(text) != _lines(found[file])}
+
+
+def _draft(workspace: Workspace, name: str, file: str) -> Path:
+    return workspace.state("author", name, file)
+
+
+def _lines(text: str) -> str:
+    """A text with ends of lines as browsers have them."""
+    return text.replace("\r\n", "\n")
 
 
 def begin(workspace: Workspace, name: str, start: str) -> None:
@@ -127,14 +148,14 @@ def look(workspace: Workspace, name: str, form: str, seed: int, language: str) -
         variant = one_variant(name, seed=str(seed), form=form, folders=folders)
         found |= {"form": form, **_shown(variant, language)}
     except InputError as error:
-        found["mistakes"] = _mistakes(error, files, folder, FAMILY)
+        found["mistakes"] = _mistakes(error, files, folder, FAMILY, language)
         return found
     found["statements"] = {}
     for each, file in STATEMENTS.items():
         try:
             found["statements"][each] = _told(variant, each)
         except InputError as error:
-            found["mistakes"] += _mistakes(error, files, folder, file, found["names"])
+            found["mistakes"] += _mistakes(error, files, folder, file, language, found["names"])
     return found
 
 
@@ -172,7 +193,7 @@ def _told(variant: Any, language: str) -> str:
 
 
 def _mistakes(
-    error: InputError, files: Mapping[str, str], folder: Path, usual: str, names: Sequence[str] = ()
+    error: InputError, files: Mapping[str, str], folder: Path, usual: str, language: str, names: Sequence[str] = ()
 ) -> list[dict[str, Any]]:
     """Mistakes with the file of the family and the line that they are at; of an unknown name also the ``nearest``."""
     found = []
@@ -185,7 +206,7 @@ def _mistakes(
             places = located([problem], files[file], folder / file)
         near = get_close_matches(problem.value, names, 1) if problem.value in files[file] else []
         more = {"file": file, "word": problem.value, "nearest": near[0] if near else ""}
-        found += [{**more, **vars(mistake)} for mistake in places]
+        found += [{**more, **explained(mistake, language)} for mistake in places]
     return found
 
 

@@ -13,6 +13,7 @@ from typing import Any
 from variantgen.errors import VariantgenError
 from variantgen.studio.words import ASSETS
 
+_VALUE = re.compile(r"(.*)( \([^()]*\))", re.DOTALL)
 _GOT = re.compile(r"(.*) \(got (.*)\)", re.DOTALL)
 _RUSSIAN_GOT = "{} (получено {})"
 
@@ -24,6 +25,9 @@ def in_language(text: str, language: str) -> str:
     said = _GOT.fullmatch(text)
     if said:
         return _RUSSIAN_GOT.format(in_language(said[1], language), said[2])
+    said = _VALUE.fullmatch(text)  # a mistake with the value in its message
+    if said and (told := in_language(said[1], language)) != said[1]:
+        return told + said[2]
     for pattern, words in _messages(language):
         if found := pattern.fullmatch(text):
             return words.format(*found.groups())
@@ -53,5 +57,5 @@ def _messages(language: str) -> tuple[tuple[re.Pattern[str], str], ...]:
     """The messages of a language by patterns of their English text, the most special first."""
     path = ASSETS / "messages" / f"{language}.toml"
     table = tomllib.loads(path.read_text("utf-8")) if path.is_file() else {}
-    order = sorted(table, key=lambda text: (text.count("{}"), -len(text)))
+    order = sorted(table, key=lambda text: -len(text.replace("{}", "")))
     return tuple((re.compile("(.*)".join(map(re.escape, text.split("{}"))), re.DOTALL), table[text]) for text in order)

@@ -78,8 +78,10 @@ def _no_number(name: str) -> None:
 def text_of(data: dict[str, Any], name: str, most: int = 200) -> str:
     """A text of a table; '' if there is none. Raises InputError for something else."""
     found = data.get(name, "")
-    if not isinstance(found, str) or len(found) > most:
+    if not isinstance(found, str):
         raise InputError(Problem("expected a text", key=name))
+    if len(found) > most:
+        raise InputError(Problem("is too long", key=name))
     return found
 
 

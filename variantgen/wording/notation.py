@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 
 from variantgen.errors import InputError, Problem, nearest
+from variantgen.tables import Table
 
 CHOICES: Mapping[str, tuple[str, ...]] = {
     "angular_acceleration": ("epsilon", "alpha"),
@@ -53,3 +54,14 @@ def notation_of(words: Iterable[str]) -> Notation:
             raise InputError(Problem("unknown notation", key="--notation", value=word, remedy=remedy))
         chosen[names[0]] = word
     return Notation(**chosen)
+
+
+def read_notation(table: Table) -> Notation:
+    """The letters that the course is used to; mistakes are noted in the table."""
+    chosen = {name: table.take(name, str, "") for name in CHOICES}
+    table.finish()
+    try:
+        return Notation(**chosen)
+    except InputError as error:
+        table.problems += [replace(problem, key=table.key(problem.key)) for problem in error.problems]
+        return USUAL

@@ -315,11 +315,13 @@ def test_points_sums_and_percent(english: Path) -> None:
     for row in grading.rows:
         for column, value in zip(last.typed, (1e9, "about 3", None), strict=False):
             sheet.cell(row, column).value = value
-        sheet.cell(row, last.correction).value = 0.5
-    sheet.cell(4, last.points[3]).value = 7
+        grading.correct(grading.code(row), 3, 0.5)
+    assert [cell.value for cell in grading.points_of_answers()] == [2] * 6 + [1] * 3 + [2.5] * 4
+    grading.points_of_answers()[-1].value = 7
     found = grading.computed("changed")
     for row in grading.rows:
         assert found.row(row, last.points) == [0, "?", "", 7]
+        assert (found(row, last.correction), found(row, problems[0].correction)) == (0.5, "")
         assert found(row, 9) == 7.5
         assert found(row, 5) == 22.5
         assert found(row, 6) == pytest.approx(22.5 / (12 + 3 + 14.5))
@@ -353,9 +355,17 @@ def test_sorted_rows_keep_their_points(english: Path) -> None:
             for row in grading.rows
         }
 
+    for number, row in enumerate(grading.rows):
+        grading.correct(grading.code(row), 2, number + 0.25)
     before = results("before")
+    column = grading.problems()[1].correction
+    assert [before[grading.code(row)][column - 2] for row in grading.rows] == ["0.25", "1.25", "2.25", "3.25"]
     assert len({tuple(cells[3:]) for cells in before.values()}) == len(before)
     grading.permute(dict(zip(grading.rows, reversed(grading.rows), strict=True)))
+    first, second = ([cell.value for cell in grading.corrections[row]] for row in (3, 4))
+    for row, values in ((3, second), (4, first)):  # that worksheet may be sorted too
+        for k, value in enumerate(values, start=1):
+            grading.corrections.cell(row, k).value = value
     after = results("after")
     assert list(after) == [*reversed(before)]
     assert after == before
@@ -371,32 +381,37 @@ def test_only_what_is_to_be_filled_in_is_open(built: Path) -> None:
     for number, problem in enumerate(grading.problems(), start=1):
         for row in grading.rows:
             count = asked[grading.code(row), number]
-            open_cells |= {(row, column) for column in (*problem.typed[:count], problem.correction)}
+            open_cells |= {(row, column) for column in problem.typed[:count]}
             for column in (*problem.typed[count:], *problem.points[count:]):
                 cell = grading.sheet.cell(row, column)
                 assert (cell.value, cell.fill.fgColor.rgb) == (None, "FFD0D3D8")
-        open_cells |= {(4, column) for column in problem.points}
-    found = {(c.row, c.column) for row in grading.sheet.iter_rows() for c in row if not c.protection.locked}
-    assert found == open_cells
-    assert not any(not c.protection.locked for row in grading.answers.iter_rows() for c in row)
-    checks = grading.sheet.data_validations.dataValidation
-    assert {(check.type, check.operator or "between", check.showErrorMessage) for check in checks} == {
-        ("decimal", "between", True),
-        ("custom", "between", True),  # of answers, which are text
-    }
-    areas = [area for check in checks for area in check.sqref.ranges]
-    for row, column in open_cells:
-        assert any(row in range(a.min_row, a.max_row + 1) and column in range(a.min_col, a.max_col + 1) for a in areas)
+    # Answers are text; points are numbers, of each student in each of three problems and of each answer in row 3.
+    corrections = {(row, column) for row in range(3, 7) for column in (5, 6, 7)}
+    points = {(3, 5 + 3 * number) for number in range(13)}
+    for sheet, cells, kind in (
+        (grading.sheet, open_cells, "custom"),
+        (grading.corrections, corrections, "decimal"),
+        (grading.answers, points, "decimal"),
+    ):
+        assert {(c.row, c.column) for row in sheet.iter_rows() for c in row if not c.protection.locked} == cells
+        checks = sheet.data_validations.dataValidation
+        assert {(c.type, c.operator or "between", c.showErrorMessage) for c in checks} == {(kind, "between", True)}
+        for check in checks:
+            assert check.formula1.startswith("ISNUMBER(VALUE(" if kind == "custom" else "-1000")
+            assert check.formula2 == (None if kind == "custom" else "1000")  # less than any date of today
+        areas = [area for check in checks for area in check.sqref.ranges]
+        for row, column in cells:
+            assert any(a.min_row <= row <= a.max_row and a.min_col <= column <= a.max_col for a in areas)
 
 
 def test_the_answers_of_the_form_are_those_of_the_key(built: Path) -> None:
-    sheet = openpyxl.load_workbook(built / FORM).worksheets[1]
+    sheet = openpyxl.load_workbook(built / FORM).worksheets[-1]
     known = answers(built)
-    for row in table(sheet, 4):
+    for row in table(sheet, 5):
         numbers = [cell for cell in row[4:] if cell is not None]
         own = [right for right in known if right.code == row[0]]
         assert numbers == [float(x) for right in own for x in (right.value, *right.ends)]
-    assert sheet.max_row == 3 + 4
+    assert sheet.max_row == 4 + 4
 
 
 # Text from outside.
@@ -433,7 +448,7 @@ def test_text_is_text(students: int, tmp_path: Path, monkeypatch: pytest.MonkeyP
         workbook = openpyxl.load_workbook(out / name)
         assert workbook.properties.title.endswith(title)
         sheet = workbook.worksheets[-1]
-        first = 3 if name == KEY else 4
+        first = 3 if name == KEY else 5
         for row, text in zip(sheet.iter_rows(min_row=first), HOSTILE, strict=True):
             for cell in row[1:4]:
                 assert cell.data_type in ("s", "inlineStr")
@@ -444,7 +459,7 @@ def test_text_is_text(students: int, tmp_path: Path, monkeypatch: pytest.MonkeyP
                 content = archive.read(part).decode()
                 formulas = re.findall(r"<f>(.*?)</f>", content)
                 assert "<hyperlink" not in content
-                assert all(re.match(r"(IF|MATCH|ROUND|MID)\(", formula) for formula in formulas)
+                assert all(re.match(r"(IF|MATCH|ROUND|MID)\(|'Answers'!\$[A-Z]+\$3$", formula) for formula in formulas)
                 assert not any("calc" in formula or "HYPER" in formula or formula == "1" for formula in formulas)
                 assert bool(formulas) == (name == FORM and part == "xl/worksheets/sheet1.xml")
                 assert ("<is>" in content) == (students == 2 and part.startswith("xl/worksheets/"))
@@ -477,7 +492,7 @@ def test_titles_of_sheets(tmp_path: Path) -> None:
     assert all(len(name) <= 31 and not set(name) & set("[]:*?/\\") for name in names)
     assert names[0] == "Key"
     assert any(name.startswith("1. =") for name in names)
-    assert openpyxl.load_workbook(out / FORM).sheetnames == ["Marking", "Answers"]
+    assert openpyxl.load_workbook(out / FORM).sheetnames == ["Marking", "Corrections", "Answers"]
 
 
 @pytest.mark.parametrize(

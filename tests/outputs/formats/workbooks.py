@@ -10,6 +10,7 @@ from typing import Any
 
 import formulas
 import openpyxl
+from openpyxl.cell.cell import Cell
 from openpyxl.formula.translate import Translator
 from openpyxl.utils import get_column_letter
 
@@ -31,7 +32,7 @@ class Grading:
     def __init__(self, path: Path) -> None:
         self.path = path
         self.book = openpyxl.load_workbook(path)
-        self.sheet, self.answers = self.book.worksheets
+        self.sheet, self.corrections, self.answers = self.book.worksheets
         self.last = self.sheet.max_row
 
     @property
@@ -58,6 +59,16 @@ class Grading:
             elif any(not self.sheet.cell(row, column).protection.locked for row in self.rows):
                 typed.append(column)
         return found
+
+    def correct(self, code: str, problem: int, points: float) -> None:
+        """Give a student points in a problem by hand."""
+        heads = [cell.value for cell in self.corrections[2]]
+        (row,) = (row[0].row for row in self.corrections.iter_rows(min_row=3) if row[0].value == code)
+        self.corrections.cell(row, heads.index(f"± {problem}") + 1).value = points
+
+    def points_of_answers(self) -> list[Cell]:
+        """The cells for the points of answers, in the order of problems and answers."""
+        return [cell for cell in self.answers[3] if not cell.protection.locked]
 
     def sums(self) -> range:
         """The columns with the sums of the problems."""

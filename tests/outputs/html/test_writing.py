@@ -7,6 +7,7 @@ import xml.etree.ElementTree as ET
 import pytest
 
 from variantgen.exam.content import SolvedProblem, with_figures
+from variantgen.exam.solution_figures import SolutionFigure
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs.documents.formula_rows import breadth
 from variantgen.outputs.html.fragments import solution_html, statement_html
@@ -65,9 +66,10 @@ def rows_of(lines: FormulaLines) -> list[ET.Element]:
     """The rows of formulas of a solution whose check is nothing else."""
     language, variant = load_language("en"), one_variant("four_bar")
     text = SolutionText((), (), ("none",), check=(lines,))
-    html = solution_html(SolvedProblem(variant, Statement((), (), ()), text, (), {}), language, WRITING)
-    answer, heading, *found = ET.fromstring(f"<div>{html}</div>")
-    assert (answer.get("class"), heading.tag) == ("answer", "h4")
+    rows = ((SolutionFigure("statement", Drawing(1, 1, (), ()), (), 1),),)
+    html = solution_html(SolvedProblem(variant, Statement((), (), ()), text, rows, {}), language, WRITING)
+    figures, answer, heading, *found = ET.fromstring(f"<div>{html}</div>")
+    assert (figures.get("class"), answer.get("class"), heading.tag) == ("figures d-flex flex-wrap", "answer", "h4")
     assert all(row.get("class") == "formulas" for row in found)
     return found
 

@@ -78,6 +78,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Build the folder. Raises InputError for options, files or names that cannot be used."""
     from variantgen.builder import build, scheduled_workers
+    from variantgen.exam.named_families import composing
     from variantgen.exam.samples import exam_path
     from variantgen.exam.solutions import NONE as NO_SOLUTIONS
     from variantgen.families.folders import family_folders
@@ -89,6 +90,7 @@ def run(arguments: argparse.Namespace) -> int:
     students = _students(arguments)
     path = exam_path(arguments.exam)
     folders = family_folders(arguments.families, beside=path)
+    composing.set(tell)
     exam = read_exam(path, folders)
     if arguments.no_solutions:
         exam = replace(exam, solutions=replace(exam.solutions, depth=NO_SOLUTIONS))

@@ -40,9 +40,11 @@ def _check_together(arguments: argparse.Namespace) -> None:
 
 def _keep_pools(path: Path) -> None:
     """Write the families of the pools of an exam beside its file, where every later command finds them."""
+    from variantgen.exam.named_families import composing
     from variantgen.families.files import family_files
     from variantgen.outputs.formats import read_exam
 
+    composing.set(tell)
     found = {f.name: f.folder for task in read_exam(path).tasks if task.composed for f in task.families if f.folder}
     for name, folder in sorted(found.items()):
         new = path.resolve().parent / name

@@ -123,8 +123,9 @@ def _read(
     arguments: argparse.Namespace, finished: Finished, policy: MarkingPolicy
 ) -> tuple[Finished, ReadAnswers, Joined | None]:
     """The exam as it was asked, the answers of tables and scans together, and what the scans hold, if there are any."""
-    from variantgen.marking.answer_tables import FormWords, ReadAnswers, read_answers
+    from variantgen.marking.answer_tables import ReadAnswers, read_answers
     from variantgen.marking.drawn import as_drawn
+    from variantgen.marking.form_words import FormWords
     from variantgen.marking.heads import read_columns
     from variantgen.marking.scan.joining import join
     from variantgen.marking.scan.pictures import is_picture

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from variantgen.cli.messages import tell
 from variantgen.cli.options import add_families
+from variantgen.errors import InputError, Problem
 
 HELP = "make one student's sheet of a finished exam again"
 DESCRIPTION = (
@@ -31,7 +32,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Make the sheet."""
+    """Make the sheet. Raises InputError, before anything is made, for a file whose ending is not that of a PDF."""
+    out: Path | None = arguments.out
+    if out is not None and out.suffix.lower() != ".pdf":
+        remedy = str(out / "sheet.pdf") if out.is_dir() else f"{out}.pdf"
+        raise InputError(Problem("expected a file that ends in .pdf", key="--out", value=str(out), remedy=remedy))
     from variantgen.exam.manifest import read_manifest
     from variantgen.families.folders import family_folders
     from variantgen.finished.find import find
@@ -54,7 +59,7 @@ def run(arguments: argparse.Namespace) -> int:
     if unsure and not arguments.anyway:
         tell("nothing was written; --anyway writes what can be made now")
         return 1
-    path = arguments.out or Path(f"{made.stem}{'-solutions' if arguments.solutions else ''}.pdf")
+    path = out or Path(f"{made.stem}{'-solutions' if arguments.solutions else ''}.pdf")
     write_whole(path, made.content, "--out")
     same = f", the same as {made.same}" if made.same else ""
     tell(f"{path}{same}")

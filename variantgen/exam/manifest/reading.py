@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import hashlib
+import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from decimal import Decimal
@@ -22,6 +24,7 @@ from variantgen.version import VERSION
 
 SCHEMA = 2
 NAME = "manifest.json"
+HASH = "students_hash"
 _STUDENTS = "students"
 _WORDS = {
     "program": "the version of variantgen",
@@ -38,7 +41,8 @@ class Manifest:
     changed since the build, ``floors`` has the least tolerances of problems with one of their own. ``redrawn`` are ids
     of students who drew again, ``pages`` how many students have so many pages, by document,
     ``bands`` how much work variants of each form may take, ``composed`` the files of families that were composed for
-    it, by the names of the families and of the files.
+    it, by the names of the families and of the files. ``students_changed``: the students are not those of the build
+    (never so where the hash of their entries is not recorded).
     """
 
     path: Path
@@ -57,6 +61,7 @@ class Manifest:
     pages: Mapping[str, Mapping[int, int]] = field(default_factory=dict)
     bands: tuple[Mapping[str, Any], ...] = ()
     composed: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
+    students_changed: bool = False
 
     def differences(self, exam: Exam) -> list[str]:
         """The versions and files that differ from those the exam was made with, in words."""
@@ -85,23 +90,25 @@ def read_manifest(folder: Path) -> Manifest:
     path = folder / NAME
     problems: list[Problem] = []
     of_sheets: list[Problem] = []
-    head, sheets = _read(path, of_sheets)
-    record = _manifest(Table(head, "", problems), sheets, path)
+    head, sheets, hashed = _read(path, of_sheets)
+    record = _manifest(Table(head, "", problems), sheets, path, hashed)
     if problems := [*problems, *(of_sheets if head.get("schema") == SCHEMA else ())]:
         raise InputError(problem.located(str(path)) for problem in problems)
     return record
 
 
-def _read(path: Path, problems: list[Problem]) -> tuple[dict[str, Any], list[RecordedSheet]]:
-    """All but the students as plain data, and the sheets; what is wrong with these is noted."""
+def _read(path: Path, problems: list[Problem]) -> tuple[dict[str, Any], list[RecordedSheet], str]:
+    """All but the students as plain data, the sheets, and the hash of their entries; what is wrong is noted."""
     if path.exists() and not path.is_file():
         raise InputError(Problem("expected a file", file=str(path), remedy="restore the manifest from a copy"))
     head: dict[str, Any] = {}
     sheets: list[RecordedSheet] = []
+    lines = EntriesHash()
     try:
         with path.open(encoding="utf-8-sig") as file:
             for key, number, value in entries(file, _STUDENTS):
                 if number:
+                    lines.add(json.dumps(value, ensure_ascii=False, default=float).encode())  # as they are written
                     sheets.append(read_sheet(Table(value, f"{_STUDENTS}[{number}]", problems)))
                 head[key] = value if not number else []
     except FileNotFoundError:
@@ -112,10 +119,26 @@ def _read(path: Path, problems: list[Problem]) -> tuple[dict[str, Any], list[Rec
     except (ValueError, ArithmeticError, RecursionError) as error:
         remedy = "it has been changed since the build; restore it from a copy"
         raise InputError(Problem(f"is not valid JSON: {error}", file=str(path), remedy=remedy)) from None
-    return head, sheets
+    return head, sheets, lines.digest()
 
 
-def _manifest(top: Table, sheets: Sequence[RecordedSheet], path: Path) -> Manifest:
+class EntriesHash:
+    """The hash of the entries of students, which a manifest has behind them under ``HASH``."""
+
+    def __init__(self) -> None:
+        self._hash, self._between = hashlib.sha256(), b""
+
+    def add(self, entries: bytes) -> None:
+        """Take one entry more, or some with a comma and the end of a line between them."""
+        self._hash.update(self._between + entries)
+        self._between = b",\n"
+
+    def digest(self) -> str:
+        """SHA-256 of all of them."""
+        return self._hash.hexdigest()
+
+
+def _manifest(top: Table, sheets: Sequence[RecordedSheet], path: Path, hashed: str) -> Manifest:
     schema = top.need("schema", int, SCHEMA)
     if schema != SCHEMA:
         top.problem(
@@ -143,6 +166,7 @@ def _manifest(top: Table, sheets: Sequence[RecordedSheet], path: Path) -> Manife
         _pages(top.table("pages")),
         tuple(_band(table) for table in top.tables("bands")),
         read_recorded(top.table("composed")),
+        top.take(HASH, str, hashed) != hashed,
     )
 
 

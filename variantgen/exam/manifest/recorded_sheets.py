@@ -102,6 +102,9 @@ def _problem(table: Table) -> RecordedProblem:
     turns = pose.need("quarter_turns", int, 0)
     if turns not in range(4):
         pose.problem("expected 0 to 3", "quarter_turns", turns)
+    attempt = table.need("attempt", int, 1)
+    if attempt < 1:
+        table.problem("expected 1 or more", "attempt", attempt)
     found = RecordedProblem(
         table.need("problem", int, 0),
         table.need("family", str, ""),
@@ -109,7 +112,7 @@ def _problem(table: Table) -> RecordedProblem:
         {name: _value(parameters.table(name)) for name in parameters.data},
         pose.need("mirrored", bool, False),
         turns,
-        table.need("attempt", int, 1),
+        attempt,
         tuple(_answer(answer) for answer in table.tables("answers")),
         _work(table.table("work")),
     )

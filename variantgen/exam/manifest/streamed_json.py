@@ -3,12 +3,21 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Iterator
 from decimal import Decimal
 from typing import Any, TextIO
 
-# Numbers with a decimal point as they are written.
-_DECODER = json.JSONDecoder(parse_float=Decimal, parse_constant=Decimal)
+
+def _finite(text: str) -> Decimal:
+    """A number with a decimal point as it is written. Raises ValueError for NaN, Infinity and what overflows."""
+    number = Decimal(text)
+    if not math.isfinite(float(number)):
+        raise ValueError(f"{text} is no finite number")
+    return number
+
+
+_DECODER = json.JSONDecoder(parse_float=_finite, parse_constant=_finite)
 _CHUNK = 1 << 20  # characters that are read at a time
 _LARGEST = 2_000_000_000  # characters of one value
 _BLANK = " \t\n\r"
@@ -19,16 +28,20 @@ def entries(file: TextIO, listed: str) -> Iterator[tuple[str, int, Any]]:
     """The entries of the object in a file: key, 0 and value.
 
     The value of the key ``listed`` comes item by item, with the number of each from 1 on; if it is no list or has no
-    items, it comes as others do. Raises ValueError where the text is no JSON object, or a value is too long for any
-    memory; OSError.
+    items, it comes as others do. Raises ValueError where the text is no JSON object, has a key twice or a number that
+    is not finite, or a value is too long for any memory; OSError.
     """
     text = _Text(file)
+    known: set[str] = set()
     text.expect("{")
     if text.following() != "}":
         while True:
             key = text.value()
             if not isinstance(key, str):
                 raise ValueError(f"expected a name and not {key}")
+            if key in known:
+                raise ValueError(f"the key {key} is there twice")
+            known.add(key)
             text.expect(":")
             if key == listed and text.following() == "[":
                 yield from ((key, number, value) for number, value in enumerate(_items(text), start=1))

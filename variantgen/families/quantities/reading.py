@@ -31,6 +31,8 @@ def parse_quantity(text: str, scene: Scene, key: str = "ask", offered: Sequence[
         return split_name(text)
     quantity = split_name(text) if _match(text) else None
     if quantity is None or not _is_further(quantity, scene):
+        if quantity is not None and (reason := _of_crank(quantity, scene)):
+            raise InputError(Problem(reason, key=key, value=text, remedy="ask for another point or body"))
         remedy = _proposed(text, quantity, scene, known) or nearest(text, offered or known)
         raise InputError(Problem("unknown quantity", key=key, value=text, remedy=remedy))
     return quantity
@@ -123,6 +125,8 @@ def _is_further(quantity: Quantity, scene: Scene) -> bool:
 
 def _has_turn(quantity: Quantity, scene: Scene) -> bool:
     """Whether a scene with a crank has the quantity of which an extreme is taken, or what goes to and fro."""
+    if _of_crank(quantity, scene):
+        return False
     of = quantity.of_instant
     if of is not None:
         plain = not of.is_direction and of.component not in _NO_EXTREMES and not of.line
@@ -130,6 +134,20 @@ def _has_turn(quantity: Quantity, scene: Scene) -> bool:
         return plain and steady and (of.name in quantity_names(scene) or _is_further(of, scene))
     movers = {"stroke": _moving_points(scene), "swing": scene.bodies}
     return not quantity.component and quantity.target in movers.get(quantity.kind, {*movers["stroke"], *scene.bodies})
+
+
+def _of_crank(quantity: Quantity, scene: Scene) -> str:
+    """Why a quantity of the crank itself is none of a turn: no limit positions, or a rate that stays; "" for others."""
+    crank = crank_of(scene)
+    target, of = quantity.target, quantity.of_instant
+    if not quantity.is_of_turn or crank is None or target not in (crank.body, *scene.bodies[crank.body]):
+        return ""
+    if of is None:
+        mover = f"the crank {target}" if target == crank.body else f"{target} of the crank {crank.body}"
+        return f"{mover} goes round and has no limit positions"
+    if of.kind in ("v", "a", "omega", "epsilon"):
+        return f"the crank {crank.body} turns at a constant angular velocity, so {of.name} is the same all along"
+    return ""
 
 
 def _is_position(quantity: Quantity, scene: Scene) -> bool:

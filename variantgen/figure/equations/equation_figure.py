@@ -29,7 +29,7 @@ from variantgen.wording.formula import Formula, to_plain
 LONGEST = 56.0  # length of the longest vector, u
 _NOTHING = 1e-9  # of the longest vector: there is none
 # Lengths of vectors and size of the bodies, in proportion to the usual ones, tried until letters find room.
-_SIZES = ((1.0, 1.0), (1.25, 1.0), (1.0, 0.75), (1.4, 0.7))
+_SIZES = ((1.0, 1.0), (1.25, 1.0), (1.0, 0.75), (1.4, 0.7), (0.8, 1.0), (1.1, 0.9), (1.3, 0.8))
 _SHARE, _BESIDE_RODS = 0.75, 0.42  # of the room for a figure that its vectors have; rods do not become short
 _STRAIGHT = math.sin(math.radians(6))  # two vectors with a smaller angle make no parallelogram
 

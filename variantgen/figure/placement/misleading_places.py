@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from variantgen.figure.ink import gaps_to_box
 from variantgen.figure.placement.label_requests import Costs, LabelRequest, Places
 from variantgen.figure.placement.occupancy import Occupancy
 
@@ -14,7 +15,6 @@ from variantgen.figure.placement.occupancy import Occupancy
 # (which would be misread), of a line between a label and what it names.
 _STRANGER, _MISREAD, _BARRIER = 12.0, 60.0, 14.0
 _BETWEEN = np.array([0.4, 0.55, 0.7, 0.85, 1.0])  # places on the way from a label to what it names
-_ALONG = np.linspace(0.0, 1.0, 13)  # places on an arrow that stand for it
 _PLAINLY = 0.2  # how much nearer to its own arrow than to another the name of an arrow stands, u
 _OWN = 1.0  # where that way ends before a line or symbol that is named, u
 
@@ -66,15 +66,11 @@ def _nearer_to_other_arrow(
     if len(named) < 2 or not of.size:
         return found
     arrows = np.array([requests[i].arrow for i in named], dtype=complex)
-    along = arrows[:, :1] + _ALONG * (arrows[:, 1:] - arrows[:, :1])
     boxes = np.array([r.box for r in requests])[owner[of]]
-    step = places[of, None, None] - along
-    dx = np.maximum(0.0, np.abs(step.real) - boxes[:, :1, None])
-    dy = np.maximum(0.0, np.abs(step.imag) - boxes[:, 1:, None])
-    gaps = np.minimum.reduce(dx * dx + dy * dy, axis=2)
+    gaps = gaps_to_box(places[of, None], (boxes[:, :1], boxes[:, 1:]), arrows)
     mine = np.searchsorted(named, owner[of])
     rows = np.arange(len(of))
-    own = np.sqrt(gaps[rows, mine])
+    own = gaps[rows, mine]
     gaps[rows, mine] = np.inf
-    found[of] = np.sqrt(np.minimum.reduce(gaps, axis=1)) < own + _PLAINLY
+    found[of] = np.minimum.reduce(gaps, axis=1) < own + _PLAINLY
     return found

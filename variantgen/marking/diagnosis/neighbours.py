@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from variantgen.exam.sheets import Answer
 
 _LEAST = 2  # wrong answers that must agree: one may do so by chance
+_LEAST_OF_ALTERED = 3  # where one of them does not: it was altered, or is a mistake of one's own
 
 
 class Neighbours:
@@ -31,16 +32,29 @@ class Neighbours:
         self._values = {name: np.array(table) for name, table in values.items()}
         self._tolerances = {name: np.array(table) for name, table in tolerances.items()}
 
-    def of(self, place: int, wrong: Sequence[tuple[Answer, float]]) -> int | None:
-        """The place of the one other student to whose sheet all wrong values belong; None where there is none.
+    def of(self, place: int, wrong: Sequence[tuple[Answer, float]]) -> tuple[int, frozenset[str]] | None:
+        """The place of the other student to whose sheet wrong values belong, and the names of those that do.
 
-        At least two values of different size must agree, and only one student's sheet may have them.
+        All of two or more must agree, or all but one and at least three; values of one size count once. None where no
+        sheet agrees so far, or several agree equally well: then nobody can tell.
         """
-        if len({round(abs(value), 9) for _, value in wrong}) < _LEAST:
+        asked = [answer.quantity.name for answer, _ in wrong]
+        if not wrong:
             return None
-        agrees: NDArray[np.bool_] = self._places != place
-        for answer, value in wrong:
-            name = answer.quantity.name
-            agrees = agrees & (np.abs(self._values[name] - value) <= self._tolerances[name])
-        found = self._places[agrees]
-        return int(found[0]) if len(found) == 1 else None
+        agrees: NDArray[np.bool_] = np.array(
+            [
+                (self._places != place) & (np.abs(self._values[name] - value) <= self._tolerances[name])
+                for name, (_, value) in zip(asked, wrong, strict=True)
+            ]
+        )
+        count = np.count_nonzero(agrees, axis=0)
+        most = int(count.max())
+        (best,) = np.nonzero(count == most)
+        if len(best) > 1:
+            return None
+        own = agrees[:, best[0]]
+        sizes = {round(abs(value), 9) for (_, value), is_theirs in zip(wrong, own, strict=True) if is_theirs}
+        least = {0: _LEAST, 1: _LEAST_OF_ALTERED}.get(len(wrong) - most)
+        if least is None or len(sizes) < least:
+            return None
+        return int(self._places[best[0]]), frozenset(np.array(asked)[own].tolist())

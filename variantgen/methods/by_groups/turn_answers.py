@@ -1,4 +1,4 @@
-"""What is asked of a whole turn of the crank: limit positions by triangles, all else by values position by position.
+"""What is asked of a whole turn of the crank: limit positions by triangles, all else position by position.
 
 A rod between the crank pin and a slider or the pin of a rocker lies along the crank in the limit positions, for there
 its end is at rest: the pins are ``AB + OA`` and ``AB - OA`` from the pivot. A lever in which the crank pin slides has
@@ -7,30 +7,26 @@ its limit positions where it touches the circle of the pin.
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
-
-import numpy as np
 
 from variantgen.algebra.expression import Applied, Constant, Expression, Pi, Ratio, SquareRoot, Value
 from variantgen.algebra.name import Name
 from variantgen.families.quantities import Quantity
-from variantgen.families.quantities.kinds import ANGLE_OF, MEAN
-from variantgen.mechanism.crank_turn import FULL_TURN, CrankTurn, crank_of, crank_turn
+from variantgen.families.quantities.kinds import MEAN
+from variantgen.mechanism.crank_turn import crank_of
 from variantgen.mechanism.linkage import Linkage
+from variantgen.methods.by_groups.turn_positions import by_positions, turn_measure, turn_name
 from variantgen.methods.geometry.angles import corner_name
 from variantgen.methods.linkage.problem import CLOSE
 from variantgen.methods.solution.book import Book
-from variantgen.methods.steps.step import Body, Derived, Fact, NumberOf, Point, Segment, Sentence
+from variantgen.methods.steps.step import Body, Derived, Fact, Point, Segment
 
-_STEPS = 12  # positions of the table
-_NOTHING = 1e-9
 _TO_AND_FRO = ("stroke", "swing", "time_ratio")
 
 
 def turn_answer(book: Book, quantity: Quantity) -> Value:
     """The value of a quantity of a turn, with a step that leads to it, or says that there is no formula for it."""
-    name = _name(quantity)
+    name = turn_name(quantity)
     if name in book.values:
         return book.values[name]
     with book.step("turn.heading", value=name):
@@ -40,15 +36,7 @@ def turn_answer(book: Book, quantity: Quantity) -> Value:
             found = _mean(book, quantity)
         else:
             found = None
-        return book.derive(name, _measure(quantity), found) if found is not None else _by_positions(book, quantity)
-
-
-def _name(quantity: Quantity) -> Name:
-    return Name("turn", quantity.name)
-
-
-def _measure(quantity: Quantity) -> str:
-    return quantity.own_unit("m").measures if not quantity.is_angle else "angle"
+        return book.derive(name, turn_measure(quantity), found) if found is not None else by_positions(book, quantity)
 
 
 @dataclass(frozen=True)
@@ -106,15 +94,19 @@ def _arm(book: Book, point: str) -> tuple[str, str] | None:
 
 def _chord(book: Book, point: str, body: str, centre: str) -> Expression | None:
     """The chord of the arc between the limit positions, ``2 CP sin(psi / 2)``."""
-    swing = Quantity("swing", body)
-    whole = book.values.get(_name(swing))
+    whole = _way(book, Quantity("swing", body))
     if whole is None:
-        expression = _by_limits(book, "swing", body)
-        if expression is None:
-            return None
-        whole = book.derive(_name(swing), "angle", expression)
+        return None
     book.say("turn.chord", False, point=Point(point), centre=Point(centre), angle=whole)
     return Constant(2.0) * book.geometry.length(centre, point) * Applied("sin", Ratio(whole, Constant(2.0)))
+
+
+def _way(book: Book, way: Quantity) -> Value | None:
+    """The value of a stroke or a swing, derived where it is not yet; None where it has no formula."""
+    if turn_name(way) in book.values:
+        return book.values[turn_name(way)]
+    expression = _by_limits(book, way.kind, way.target)
+    return None if expression is None else book.derive(turn_name(way), turn_measure(way), expression)
 
 
 def _limits(book: Book, target: str) -> _Limits | None:
@@ -228,61 +220,27 @@ def _ratio_of_times(book: Book, angle: Expression) -> Expression:
 
 
 def _mean(book: Book, quantity: Quantity) -> Expression | None:
-    """Twice the way in the time of a turn: ``2 s / T = s omega / pi``, ``psi omega / 180``."""
+    """Twice the way in the time of a turn: ``s omega / pi``, ``psi omega / 180``, ``CP psi omega / 180`` on an arc."""
     crank = crank_of(book.task.scene)
     assert crank is not None, "there is a turn"
-    is_point = quantity.kind == "mean_v"
-    way = Quantity("stroke" if is_point else "swing", quantity.target)
-    whole = book.values.get(_name(way))
+    is_point, target = quantity.kind == "mean_v", quantity.target
+    arm = _arm(book, target) if is_point else None
+    swinging = arm[0] if arm else "" if is_point else target
+    whole = _way(book, Quantity("swing", swinging) if swinging else Quantity("stroke", target))
     if whole is None:
-        expression = _by_limits(book, way.kind, way.target)
-        if expression is None:
-            return None
-        whole = book.derive(_name(way), _measure(way), expression)
-    book.say("turn.there_and_back", False, body=Body(crank.body), way=whole)
+        return None
     rate = book.omega[crank.body].size
-    return Ratio(whole * rate, Pi() if is_point else Constant(180.0, "angle"))
-
-
-def _by_positions(book: Book, quantity: Quantity) -> Value:
-    """Values at regular angles of the crank, and what is found between them."""
-    task = book.task
-    length = task.variant.family.length_unit
-    own = quantity.own_unit(length)
-    answer = Value(_name(quantity), _measure(quantity), own.from_si(float(quantity.value(task.motion)[0])))
-    if not math.isfinite(answer.exact):
-        raise LookupError(quantity.name)
-    of = quantity.of_instant
-    if of is None:
-        book.say("turn.by_positions", False, value=answer, number=NumberOf(_rounded(answer.exact, answer.measure)))
-        return answer
-    sentence = "turn.magnitudes" if of.is_rotation else "turn.rows"
-    if not book.has_said(sentence, value=_name(of)):
-        rows = _rows(crank_turn(task.motion, of.order), of, length)
-        book.say(sentence, False, value=_name(of), rows=rows)
-    key = "mean" if quantity.kind.startswith(MEAN) else "angle" if quantity.kind.startswith(ANGLE_OF) else "extreme"
-    book.say(f"turn.{key}", False, value=answer, number=NumberOf(_rounded(answer.exact, answer.measure)))
-    book.values[_name(quantity)] = answer
-    return answer
-
-
-def _rows(turn: CrankTurn, of: Quantity, length: str) -> tuple[Sentence, ...]:
-    """The quantity (the magnitude of a rate) at regular angles of the crank, with four digits."""
-    angles = np.linspace(0.0, FULL_TURN, _STEPS, endpoint=False)
-    whole = Quantity(of.kind, of.target, "abs") if of.is_rotation else of
-    own = of.own_unit(length)
-    values = own.from_si(whole.value(turn.at(np.zeros(_STEPS, dtype=np.intp), angles)))
-    largest = float(np.max(np.abs(values)))
-    return tuple(
-        Sentence(
-            "turn.at",
-            {"angle": NumberOf(_rounded(angle, "angle")), "value": NumberOf(_rounded(value, _measure(of), largest))},
-        )
-        for angle, value in zip(np.degrees(angles).tolist(), values.tolist(), strict=True)
+    if arm is None:
+        book.say("turn.there_and_back", False, body=Body(crank.body), way=whole)
+        return Ratio(whole * rate, Constant(180.0, "angle") if swinging else Pi())
+    radius = book.geometry.length(arm[1], target)
+    book.say(
+        "turn.arc_there_and_back",
+        False,
+        body=Body(crank.body),
+        radius=radius,
+        angle=whole,
+        point=Point(target),
+        centre=Point(arm[1]),
     )
-
-
-def _rounded(number: float, measure: str, largest: float = 0.0) -> Value:
-    """A number with four digits; what is nothing beside the largest is zero."""
-    shown = 0.0 if abs(number) < _NOTHING * largest else float(f"{number:.4g}")
-    return Value(None, measure, shown)
+    return Ratio(radius * whole * rate, Constant(180.0, "angle"))

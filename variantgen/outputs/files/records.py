@@ -7,13 +7,13 @@ import io
 import json
 import os
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any, BinaryIO
 
 from variantgen.exam.exam_file import Exam
-from variantgen.exam.manifest import NAME, SCHEMA
+from variantgen.exam.manifest import HASH, NAME, SCHEMA, EntriesHash, RecordedSheet
 from variantgen.exam.sheets import Item, Sheet
 from variantgen.families.files import family_files
 from variantgen.outputs.files.folder import file_hashes
@@ -25,6 +25,8 @@ _FORMULA = re.compile("(^|[;\t\r\n])(?=[\\s\u200b\u2060\ufeff]*[=+\\-@＝＋－�
 
 
 _COLUMNS = ("id", "name", "group", "code", "problem", "family", "quantity", "value", "unit", "tolerance", "unnoticed")
+RECORDED = _COLUMNS[:-1]  # those that the manifest has too
+KEY = "key.csv"
 RECORDS = "records"  # the name of the pieces of both files among those of the formats
 
 
@@ -38,9 +40,9 @@ def write_records(
     bands: Sequence[Mapping[str, Any]] = (),
 ) -> None:
     """Write both files from the pieces of all students, last of all: the manifest has the hashes of all other files."""
-    write_key_csv(folder / "key.csv", pieces["key.csv"])
+    write_key_csv(folder / KEY, pieces[KEY])
     write_manifest(
-        folder / NAME, manifest_frame(exam, made_with, redrawn, pages, file_hashes(folder), bands), pieces[NAME]
+        folder / NAME, manifest_head(exam, made_with, redrawn, pages, file_hashes(folder), bands), pieces[NAME]
     )
 
 
@@ -53,13 +55,19 @@ def write_key_csv(path: Path, pieces: Iterable[Path]) -> None:
         _keep(file)
 
 
-def write_manifest(path: Path, frame: tuple[str, str], pieces: Iterable[Path]) -> None:
-    """Write the manifest from its frame (see :func:`manifest_frame`) and the pieces of all students."""
+def write_manifest(path: Path, head: str, pieces: Iterable[Path]) -> None:
+    """Write the manifest from what stands before the students (see :func:`manifest_head`) and their pieces.
+
+    Behind them stands the hash of their entries, by which a change of them is seen.
+    """
+    hashed = EntriesHash()
     with path.open("wb") as file:
-        file.write(frame[0].encode())
+        file.write(head.encode())
         for number, piece in enumerate(pieces):
-            file.write((b",\n" if number else b"\n") + piece.read_bytes())
-        file.write(f"\n{frame[1]}".encode())
+            entries = piece.read_bytes()
+            hashed.add(entries)
+            file.write((b",\n" if number else b"\n") + entries)
+        file.write(f'\n ],\n "{HASH}": "{hashed.digest()}"\n}}\n'.encode())
         _keep(file)
 
 
@@ -91,6 +99,23 @@ def key_rows(sheets: Sequence[Sheet]) -> str:
     )
 
 
+def recorded_rows(sheets: Iterable[RecordedSheet]) -> Iterator[list[str]]:
+    """The cells of the key that a manifest has too, in the columns ``RECORDED``."""
+    for sheet in sheets:
+        own = [safe_cell(text) for text in (sheet.student.id, sheet.student.name, sheet.student.group, sheet.code)]
+        for problem in sheet.problems:
+            for answer in problem.answers:
+                yield [
+                    *own,
+                    str(problem.number),
+                    safe_cell(problem.family),
+                    safe_cell(answer.quantity),
+                    repr(answer.value),
+                    safe_cell(answer.unit),
+                    repr(answer.tolerance),
+                ]
+
+
 def csv_rows(rows: Iterable[Sequence[object]]) -> str:
     """Rows as CSV."""
     out = io.StringIO(newline="")
@@ -103,15 +128,15 @@ def safe_cell(text: str) -> str:
     return text if text.isalnum() else _FORMULA.sub(r"\1'", text)
 
 
-def manifest_frame(
+def manifest_head(
     exam: Exam,
     made_with: Mapping[str, str],
     redrawn: Sequence[str],
     pages: Mapping[str, Mapping[int, int]],
     files: Mapping[str, str],
     bands: Sequence[Mapping[str, Any]] = (),
-) -> tuple[str, str]:
-    """What stands in the manifest before the lines of the students, and after them.
+) -> str:
+    """What stands in the manifest before the lines of the students.
 
     The manifest is JSON with everything that is needed to make each sheet again. ``made_with`` says what a sheet
     depends on besides this file; ``pages`` how many students have so many pages, by document; ``files`` has the SHA-256
@@ -148,7 +173,7 @@ def manifest_frame(
         "files": dict(files),
     }
     text = json.dumps(content, ensure_ascii=False, indent=1).removesuffix("\n}")
-    return f'{text},\n "students": [', " ]\n}\n"
+    return f'{text},\n "students": ['
 
 
 def _composed(exam: Exam) -> dict[str, dict[str, str]]:

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from variantgen.exam.sheets import Sheet
-from variantgen.outputs.spreadsheet.identity import finish, write_heads, write_identity
-from variantgen.outputs.spreadsheet.numbers import decimals, number_format, number_width
-from variantgen.outputs.spreadsheet.problem_columns import PER_ANSWER, ProblemColumns
-from variantgen.outputs.spreadsheet.workbook_writer import ABSENT, CELL, HEAD, Page
+from variantgen.outputs.spreadsheet.identity import FROZEN, finish, write_heads, write_identity
+from variantgen.outputs.spreadsheet.numbers import decimals, number_check, number_format, number_width
+from variantgen.outputs.spreadsheet.problem_columns import PER_ANSWER, ProblemColumns, point_format
+from variantgen.outputs.spreadsheet.workbook_writer import ABSENT, CELL, HEAD, INPUT, Page, Style
 from variantgen.wording.language import Language
 
-_TITLES, _QUANTITIES, _HEADS = range(3)
+_TITLES, _QUANTITIES, POINTS, _HEADS = range(4)  # the points of answers may be changed
 FIRST = _HEADS + 1  # the row of the first student
 
 
@@ -22,6 +22,7 @@ def write_answers(page: Page, blocks: Sequence[ProblemColumns], sheets: Sequence
         page.merged(_TITLES, block.answers, block.answers_end - 1, block.title(language), HEAD)
     for column, (_, heading) in _columns(blocks):
         page.merged(_QUANTITIES, column, column + PER_ANSWER - 1, heading, HEAD)
+    _write_points(page, blocks, words)
     write_heads(page, _HEADS, sheets, language)
     for column, _ in _columns(blocks):
         for k, name in enumerate(("value", "low", "high")):
@@ -36,9 +37,20 @@ def write_answers(page: Page, blocks: Sequence[ProblemColumns], sheets: Sequence
     page.printed((0, _HEADS), (FIRST + len(sheets) - 1, last - 1))
 
 
+def _write_points(page: Page, blocks: Sequence[ProblemColumns], words: Mapping[str, str]) -> None:
+    """The points of each answer above its value."""
+    page.text(POINTS, FROZEN - 1, words["points"], {"align": "right", "bold": True})
+    look: Style = {**INPUT, "num_format": point_format(blocks)}
+    for block in blocks:
+        for number, points in enumerate(block.shares()):
+            column = block.value(number)
+            page.number(POINTS, column, points, look)
+            page.sheet.data_validation(POINTS, column, POINTS, column, number_check(words))
+
+
 def _columns(blocks: Sequence[ProblemColumns]) -> list[tuple[int, tuple[str, str]]]:
     """The first column of each answer, and its names."""
-    return [(block.answers + PER_ANSWER * k, names) for block in blocks for k, names in enumerate(block.names)]
+    return [(block.value(k), names) for block in blocks for k, names in enumerate(block.names)]
 
 
 def _decimals(page: Page, block: ProblemColumns, sheets: Sequence[Sheet]) -> list[int]:
@@ -48,7 +60,7 @@ def _decimals(page: Page, block: ProblemColumns, sheets: Sequence[Sheet]) -> lis
         answers = [own[number] for own in map(block.own, sheets) if number < len(own)]
         found.append(decimals(answer.value for answer in answers))
         ends = [end for answer in answers for end in answer.accepted_intervals[0]]
-        page.widths(block.answers + PER_ANSWER * number, [number_width(ends, found[-1])] * PER_ANSWER)
+        page.widths(block.value(number), [number_width(ends, found[-1])] * PER_ANSWER)
     return found
 
 
@@ -56,7 +68,7 @@ def _write_numbers(page: Page, row: int, block: ProblemColumns, sheet: Sheet, pl
     """The answers of a student in one problem; what only others are asked stays grey."""
     own = block.own(sheet)
     for number in range(block.most):
-        column = block.answers + PER_ANSWER * number
+        column = block.value(number)
         if number >= len(own):
             for k in range(PER_ANSWER):
                 page.text(row, column + k, "", ABSENT)

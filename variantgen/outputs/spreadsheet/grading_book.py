@@ -7,11 +7,11 @@ from pathlib import Path
 
 from variantgen.exam.exam_file import Exam
 from variantgen.exam.sheets import Answer, Sheet
-from variantgen.outputs.spreadsheet import answer_page, marking
+from variantgen.outputs.spreadsheet import answer_page, correction_page, marking
 from variantgen.outputs.spreadsheet.headings import Headings
 from variantgen.outputs.spreadsheet.identity import FROZEN, WHO, finish, write_heads, write_identity
 from variantgen.outputs.spreadsheet.numbers import width
-from variantgen.outputs.spreadsheet.problem_columns import PER_ANSWER, ProblemColumns, blocks
+from variantgen.outputs.spreadsheet.problem_columns import PER_ANSWER, ProblemColumns, blocks, point_format
 from variantgen.outputs.spreadsheet.workbook_writer import (
     ABSENT,
     CELL,
@@ -27,13 +27,12 @@ from variantgen.outputs.spreadsheet.workbook_writer import (
     quoted,
 )
 
-# The rows of the form above those of the students; the help speaks of the row of points by its number.
+# The rows of the form above those of the students.
 _TITLE, _HELP, _SIGNS, _POINTS, _GROUPS, _HEADS, _FIRST = range(7)
 _TOTAL, _PERCENT, _SUMS = WHO, WHO + 1, WHO + 2
 _TYPED, _MARK, _CORRECTION, _SUM = 12.0, 8.5, 6.0, 8.0  # widths of columns, in letters
 _WIDEST_ASKED = 70.0
 _LANDSCAPE = 98.0  # letters that a page has room for
-_LARGEST = 1e12  # of what may be typed
 _TYPED_TEXT: Style = {**INPUT, "num_format": "@", "align": "right"}
 _COLOURS = (
     ("AND(ISNUMBER({0}),{0}>0)", {"font_color": "#1B7A3D"}),
@@ -48,11 +47,12 @@ def write_grading(exam: Exam, sheets: Sequence[Sheet], path: Path, folder: Path,
     words, headings = language.words("spreadsheet"), Headings(language)
     found = blocks(exam, sheets, headings, _SUMS + len(exam.tasks), WHO)
     with open_workbook(path, f"{words['grading']}: {exam.title}", len(sheets), folder) as book:
-        form, answers = book.page(words["grading"]), book.page(words["answers"])
+        form, corrections, answers = (book.page(words[name]) for name in ("grading", "corrections", "answers"))
         _Form(book, form, found, sheets, headings).write()
+        correction_page.write_corrections(corrections, found, sheets, language)
         answer_page.write_answers(answers, found, sheets, language)
         if protect:
-            for page in (form, answers):
+            for page in (form, corrections, answers):
                 page.sheet.protect("", {"autofilter": True, "format_columns": True, "format_rows": True})
 
 
@@ -68,12 +68,14 @@ class _Form:
         self.place = found[-1].correction + 1  # a hidden column: the place of the student among the answers
         self._decimal_mark = marking.fixed(_HELP, self.place)
         self.last = _FIRST + len(sheets) - 1
-        first = answer_page.FIRST
-        self.answers = marking.Answers(quoted(self.words["answers"]), first, first + len(sheets) - 1)
-        whole = all(float(share).is_integer() for block in found for share in block.shares())
-        self.points: Style = {**CELL, "align": "right", "num_format": "General" if whole else "0.00"}
+        self.answers = self._rows("answers", answer_page.FIRST)
+        self.corrections = self._rows("corrections", correction_page.FIRST)
+        self.points: Style = {**CELL, "align": "right", "num_format": point_format(found)}
         self.bold: Style = {**self.points, "bold": True}
-        self.free: Style = {**INPUT, "num_format": self.points["num_format"]}
+
+    def _rows(self, title: str, first: int) -> marking.Rows:
+        """The rows of students on another worksheet."""
+        return marking.Rows(quoted(self.words[title]), first, first + len(self.sheets) - 1)
 
     def write(self) -> None:
         """Write the sheet."""
@@ -114,7 +116,7 @@ class _Form:
         return "; ".join(self.headings.symbol(item, answer) for answer in item.answers)
 
     def _point_row(self) -> None:
-        """The points of problems and answers; those of answers may be changed."""
+        """The points of problems and answers, those of answers from the worksheet where they may be changed."""
         page = self.page
         page.text(_POINTS, FROZEN - 1, self.words["points"], {"align": "right", "bold": True})
         sums = marking.span(_POINTS, _SUMS, _SUMS + len(self.blocks) - 1)
@@ -123,8 +125,9 @@ class _Form:
             shares = marking.span(_POINTS, block.points, block.correction - 1)
             page.formula(_POINTS, _SUMS + number, marking.rounded_sum(shares), block.worth, self.bold)
         for block in self.blocks:
-            for column, points in enumerate(block.shares(), start=block.points):
-                page.number(_POINTS, column, points, self.free)
+            for number, points in enumerate(block.shares()):
+                cell = self.answers.cell(answer_page.POINTS, block.value(number))
+                page.formula(_POINTS, block.points + number, cell, points, self.points)
 
     def _head_row(self) -> list[float]:
         """Write the heads of all columns; returns the widths of the first ones."""
@@ -169,12 +172,14 @@ class _Form:
                 self.page.formula(row, block.points + number, self._mark(row, block, number, own), "", self.points)
             else:
                 self.page.text(row, block.points + number, "", ABSENT)
-        self.page.text(row, block.correction, "", self.free)
+        place = self.corrections.place(marking.own(row, 0))
+        given = self.corrections.look_up(correction_page.column(block), place)
+        self.page.formula(row, block.correction, marking.shown(given), "", self.points)
 
     def _mark(self, row: int, block: ProblemColumns, number: int, own: Sequence[Answer]) -> str:
         """The formula for the points of an answer."""
         typed, place = marking.own(row, block.typed + number), marking.own(row, self.place)
-        column = block.answers + PER_ANSWER * number
+        column = block.value(number)
         value, low, high = (self.answers.look_up(column + k, place) for k in range(PER_ANSWER))
         found = marking.number(typed, self._decimal_mark)
         if own[number].quantity.is_direction:
@@ -198,23 +203,19 @@ class _Form:
                 self.page.sheet.conditional_format(*area, rule)
 
     def _checks(self) -> None:
-        """Cells that are typed into take numbers only; those for answers are text, which is meant."""
+        """An answer that is no number is asked about; that the cells are text is meant."""
         areas = (
             f"{marking.first_of(_FIRST, block.typed)}:{marking.first_of(self.last, block.points - 1)}"
             for block in self.blocks
         )
         self.page.sheet.ignore_errors({"number_stored_as_text": " ".join(areas)})
-        check = {
-            "validate": "decimal",
-            "criteria": "between",
-            "minimum": -_LARGEST,
-            "maximum": _LARGEST,
-            "error_title": self.words["not_a_number"],
-            "error_message": self.words["number_expected"],
-        }
         for block in self.blocks:
             number = marking.number(marking.first_of(_FIRST, block.typed), self._decimal_mark)
-            typed = {**check, "validate": "custom", "value": f"=ISNUMBER({number})"}
+            typed = {
+                "validate": "custom",
+                "value": f"=ISNUMBER({number})",
+                "error_type": "warning",  # units and fractions may stay: `mark` reads them
+                "error_title": self.words["not_a_number"],
+                "error_message": self.words["number_expected"],
+            }
             self.page.sheet.data_validation(_FIRST, block.typed, self.last, block.points - 1, typed)
-            self.page.sheet.data_validation(_FIRST, block.correction, self.last, block.correction, check)
-            self.page.sheet.data_validation(_POINTS, block.points, _POINTS, block.correction - 1, check)

@@ -15,8 +15,8 @@ _DECIMALS = 9  # to which a sum of decimal numbers is rounded, so that it is wha
 
 
 @dataclass(frozen=True)
-class Answers:
-    """The rows of the sheet with the answers, its title as it stands in formulas."""
+class Rows:
+    """The rows of students on another worksheet, its title as it stands in formulas."""
 
     title: str
     first: int
@@ -29,6 +29,10 @@ class Answers:
     def look_up(self, column: int, place: str) -> str:
         """A number of a student; ``place`` is the cell with the place."""
         return f"INDEX({self._column(column)},{place})"
+
+    def cell(self, row: int, column: int) -> str:
+        """A cell of the worksheet that is the same for all rows."""
+        return f"{self.title}!{fixed(row, column)}"
 
     def _column(self, column: int) -> str:
         name = xl_col_to_name(column, col_abs=True)
@@ -54,6 +58,11 @@ def span(row: int, first: int, last: int, absolute: bool = False) -> str:
     """Cells beside each other, of the same row or (``absolute``) of one row for all."""
     cell = fixed if absolute else own
     return f"{cell(row, first)}:{cell(row, last)}"
+
+
+def shown(cell: str) -> str:
+    """What a cell says; a blank one stays blank."""
+    return f'IF({cell}="","",{cell})'
 
 
 DECIMAL_MARK = "MID(1/2,2,1)"  # of the spreadsheet

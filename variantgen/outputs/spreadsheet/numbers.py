@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from variantgen.exam.sheets import Answer
 from variantgen.wording.language import ANSWER_DIGITS
@@ -12,6 +12,7 @@ _MOST_DECIMALS = 9
 NARROWEST, WIDEST = 6.0, 50.0  # of columns, in letters
 _ROOM = 2.5
 _MARK = '"*"'
+_MOST_POINTS = 1000  # as in a policy; a date, which a spreadsheet with a decimal comma makes of 1.5, is more
 
 
 def decimals(values: Iterable[float]) -> int:
@@ -30,6 +31,18 @@ def number_format(answer: Answer, places: int, marked: bool = False) -> str:
     else:
         form = "0." + "0" * places if places else "0"
     return ";".join(part + _MARK for part in form.split(";")) if marked else form
+
+
+def number_check(words: Mapping[str, str]) -> dict[str, object]:
+    """What a cell for points takes: a number. ``words`` tell whoever types something else."""
+    return {
+        "validate": "decimal",
+        "criteria": "between",
+        "minimum": -_MOST_POINTS,
+        "maximum": _MOST_POINTS,
+        "error_title": words["not_a_number"],
+        "error_message": words["number_expected"],
+    }
 
 
 def width(texts: Iterable[str], widest: float = WIDEST) -> float:

@@ -15,7 +15,7 @@ PER_ANSWER = 3  # columns on the sheet of answers: value and bounds
 
 @dataclass(frozen=True)
 class ProblemColumns:
-    """A problem and its columns: what is asked (where students differ), what is typed, points, a correction.
+    """A problem and its columns: what is asked (where students differ), what is typed, points, correction.
 
     ``place`` is the index of the problem on a sheet, ``most`` the largest number of answers. ``names`` are symbols and
     headings of the answers: numbers where students are asked different things (then it is not ``uniform``). ``first``
@@ -42,13 +42,17 @@ class ProblemColumns:
 
     @property
     def correction(self) -> int:
-        """The column of points given or taken by hand, the last one."""
+        """The column that shows the points given or taken by hand, the last one."""
         return self.points + self.most
 
     @property
     def answers_end(self) -> int:
         """The column behind the last one on the sheet of answers."""
         return self.answers + PER_ANSWER * self.most
+
+    def value(self, number: int) -> int:
+        """The column with the value of an answer on the sheet of answers; its bounds follow."""
+        return self.answers + PER_ANSWER * number
 
     @property
     def worth(self) -> int:
@@ -69,6 +73,12 @@ class ProblemColumns:
     def own(self, sheet: Sheet) -> tuple[Answer, ...]:
         """The answers of a student."""
         return sheet.items[self.place].answers
+
+
+def point_format(blocks: Sequence[ProblemColumns]) -> str:
+    """The format of points: two decimals where the answers of a problem share its points in fractions."""
+    whole = all(float(share).is_integer() for block in blocks for share in block.shares())
+    return "General" if whole else "0.00"
 
 
 def blocks(exam: Exam, sheets: Sequence[Sheet], headings: Headings, first: int, answers: int) -> list[ProblemColumns]:

@@ -12,12 +12,13 @@ from typing import Any
 from variantgen.errors import InputError, Problem
 from variantgen.exam.marking_policy import MarkingPolicy
 from variantgen.letters import unseen
-from variantgen.marking.answer_tables import FormWords, read_answers
-from variantgen.marking.marks import verdict_of
+from variantgen.marking.answer_tables import read_answers
+from variantgen.marking.form_words import FormWords
+from variantgen.marking.marks import Verdict, verdict_of
 from variantgen.marking.scan.pictures import is_picture
 from variantgen.studio.frame import command
-from variantgen.studio.marking.folder import RESULT, REVIEW, TYPED, MarkingFolder
-from variantgen.studio.marking.marked import MarkedBuild
+from variantgen.studio.marking.folder import POLICY, RESULT, REVIEW, TYPED, Asked, MarkingFolder
+from variantgen.studio.marking.marked import MarkedBuild, MarkedClass
 from variantgen.studio.marking.views import MarkWords, effect, policy_fields, with_fields
 from variantgen.studio.requests import number_of, text_of
 from variantgen.studio.studio import Studio, UnknownKeyError
@@ -27,11 +28,7 @@ _LONGEST = 60  # letters of an answer
 
 def words_of_command(studio: Studio, folder: MarkingFolder) -> list[str]:
     """The command that writes these marks."""
-    given = folder.every()
-    review = folder.path / RESULT / "review.csv"
-    if review.is_file():  # what was typed into it by hand stands, too
-        given.append(review)
-    words = ["mark", str(folder.build.folder), *map(str, given), "--out", str(folder.path / RESULT), "--force"]
+    words = ["mark", str(folder.build.folder), *map(str, folder.every()), "--out", str(folder.path / RESULT), "--force"]
     rules = folder.policy()
     words += ["--policy", str(rules)] if rules else []
     return [*words, *studio.workspace.families_option()]
@@ -73,10 +70,15 @@ def take(folder: MarkingFolder, marked: MarkedBuild, incoming: Path, name: str) 
 
 
 def said(folder: MarkingFolder, marked: MarkedBuild, data: dict[str, Any]) -> dict[str, Any]:
-    """Write an answer. Raises InputError and UnknownKeyError for one that the exam does not ask."""
+    """Write an answer; returns what stands then, whether that is of a file, and what was typed before.
+
+    Where nothing or only a dash is typed the answer of a file stands. Raises InputError and UnknownKeyError for one
+    that the exam does not ask.
+    """
     found = marked.current()
     code, name = text_of(data, "code", 40), text_of(data, "quantity", 80)
-    text, number = text_of(data, "text", _LONGEST).strip(), number_of(data.get("problem"), "problem", 1, 999)
+    number = number_of(data.get("problem"), "problem", 1, 999)
+    text = text_of(data, "text", _LONGEST).strip().lstrip("'")  # which spreadsheets put before a text
     if unseen(text):
         raise InputError(Problem("holds characters that cannot be seen", key="text"))
     try:
@@ -89,12 +91,31 @@ def said(folder: MarkingFolder, marked: MarkedBuild, data: dict[str, Any]) -> di
     file = REVIEW if scanned else TYPED
     asked = code, number, name
     with folder.lock:
-        entries = folder.written(file)
+        entries = folder.written(file, _questions(found))
         before = entries.pop(asked, "")
         if text:
             entries[asked] = text
+        else:
+            before = folder.forget(asked, before) or before
         folder.write(file, entries)
-    return {"verdict": verdict_of(answer, text)[2].value, "before": before}
+    verdict = verdict_of(answer, text)[2]
+    if verdict is not Verdict.BLANK:
+        return {"verdict": verdict.value, "text": text, "before": before, "of_file": False}
+    now, question = marked.current(), (place, number, name)
+    of_all = {(one.place, one.problem, one.answer.quantity.name): one for one in now.marked.marks}
+    stands = "" if of_all[question].waiting else of_all[question].text
+    shown = "doubtful" if question in now.doubtful else of_all[question].verdict.value
+    return {"verdict": shown, "text": stands, "before": before, "of_file": stands not in ("", text)}
+
+
+def _questions(found: MarkedClass) -> set[Asked]:
+    """Everything that the exam asks."""
+    return {
+        (sheet.code, problem.number, answer.quantity)
+        for sheet in found.finished.record.sheets
+        for problem in sheet.problems
+        for answer in problem.answers
+    }
 
 
 def with_policy(folder: MarkingFolder, marked: MarkedBuild, data: dict[str, Any], language: str) -> dict[str, Any]:
@@ -106,9 +127,13 @@ def with_policy(folder: MarkingFolder, marked: MarkedBuild, data: dict[str, Any]
     fields = {name: _rule(name, text) for name, text in given.items()}
     rules: MarkingPolicy = with_fields(found.policy, fields)
     answer = effect(found.marked, found.by_policy(rules), MarkWords(found, language))
-    if data.get("use") is True:
-        folder.write_policy(rules)
-    return answer
+    if data.get("use") is not True:
+        return answer
+    if POLICY in found.faults:
+        remedy = "correct policy.toml, or remove it; rules that are used here replace it"
+        raise InputError(Problem("the rules of the file cannot be read", file=POLICY, remedy=remedy))
+    with folder.lock:
+        return {**answer, "kept": folder.write_policy(rules)}
 
 
 def _rule(name: str, text: object) -> Decimal:

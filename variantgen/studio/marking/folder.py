@@ -5,8 +5,12 @@
 ``typed.csv``   answers that were typed in
 ``answers-N``   tables and scans as they were brought, numbered
 ``policy.toml`` what answers are worth, where it differs from the exam
-``result/``     what the command has written
+``result/``     what the command has written; readings typed into its ``review.csv`` count
+``bin/``        files that were removed or replaced
 ==============  ==================================================================
+
+Another program may write ``typed.csv`` and ``review.csv`` in any way that a table of answers can have. The studio never
+rewrites such a file: it becomes ``typed-1.csv``, say, which counts right behind the new ``typed.csv``.
 
 The names that files came with are only shown; they are kept in ``.studio/marks``.
 """
@@ -18,7 +22,7 @@ import io
 import json
 import re
 import threading
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from pathlib import Path
 
 from variantgen.errors import InputError, Problem
@@ -30,9 +34,10 @@ from variantgen.studio.workspace import Workspace, write_whole
 
 Asked = tuple[str, int, str]  # the code of the sheet, the number of the problem, the name of the quantity
 
-TYPED, REVIEW, POLICY, RESULT = "typed.csv", "review.csv", "policy.toml", "result"
+TYPED, REVIEW, POLICY, RESULT, BIN = "typed.csv", "review.csv", "policy.toml", "result", "bin"
 FILES = 40  # that may be brought
-_ANSWERS = re.compile(r"answers-(\d{1,3})\.(xlsx|csv|pdf|png|jpg|tif)")
+_NUMBERED = re.compile(r"(?:answers|typed|review)-(\d{1,6})\.(?:xlsx|csv|pdf|png|jpg|tif)", re.ASCII)
+_KEPT = re.compile(r"(\d{1,6})-(\w[\w.-]*)", re.ASCII)  # in the bin: a number, the name before
 _HEADS = {TYPED: "answer", REVIEW: "reading"}
 _BEGINNINGS = (
     (b"PK\x03\x04", "xlsx"), (b"%PDF", "pdf"), (b"\x89PNG", "png"), (b"\xff\xd8\xff", "jpg"), (b"II*\0", "tif"),
@@ -45,20 +50,20 @@ class MarkingFolder:
 
     def __init__(self, workspace: Workspace, build: FinishedBuild) -> None:
         self._workspace, self.build = workspace, build
-        self.lock = threading.Lock()  # of whoever changes a file by what it says
+        self.lock = threading.RLock()  # of whoever changes a file by what it says
         self.path = workspace.folder / "marks" / build.folder.name
-        for place in (self.path.parent, self.path, self.path / RESULT):
+        for place in (self.path.parent, self.path, self.path / RESULT, self.path / BIN):
             if place.is_symlink():
                 raise InputError(Problem("is a link", file=str(place), remedy="remove it"))
 
     def brought(self) -> list[Path]:
-        """The files with answers that were brought, in the order in which they came."""
-        found = [(int(match[1]), path) for path in self._own("answers-*") if (match := _ANSWERS.fullmatch(path.name))]
-        return [path for _, path in sorted(found)]
+        """The files with answers that were brought or set aside, in the order in which they count."""
+        return [*self._aside(REVIEW), *self._aside(TYPED), *self._numbered("answers")]
 
     def every(self) -> list[Path]:
         """All files with answers in the order in which they count: of two answers to one question the first stands."""
-        return [*(path for name in (REVIEW, TYPED) for path in self._own(name)), *self.brought()]
+        own = [path for name in (REVIEW, TYPED) for path in (*self._own(name), *self._aside(name))]
+        return [*own, *self._numbered("answers"), *self._own(f"{RESULT}/{REVIEW}")]
 
     def policy(self) -> Path | None:
         """The file with the rules; None without one."""
@@ -71,17 +76,15 @@ class MarkingFolder:
     def version(self) -> tuple[object, ...]:
         """What differs as soon as one of the files does."""
         paths = [self.build.folder / "manifest.json", *self.every(), *self._own(POLICY)]
-        return tuple((path.name, path.stat().st_mtime_ns, path.stat().st_size) for path in paths)
+        return tuple(_stamp(path) for path in paths)
 
     def next_path(self, beginning: bytes) -> Path:
         """Where a file that begins so is to be put. Raises InputError where there are too many."""
-        known = self.brought()
-        if len(known) >= FILES:
+        if len(self.brought()) >= FILES:
             raise InputError(Problem("there are too many files", remedy="remove some, or join them"))
-        number = 1 + max((int(m[1]) for path in known if (m := _ANSWERS.fullmatch(path.name))), default=0)
         kind = next((kind for start, kind in _BEGINNINGS if beginning.startswith(start)), "csv")
         self.path.mkdir(parents=True, exist_ok=True)
-        return self.path / f"answers-{number}.{kind}"
+        return self.path / f"answers-{self._next('answers')}.{kind}"
 
     def names(self) -> dict[str, str]:
         """The names that files came with, by those that they have here."""
@@ -95,37 +98,80 @@ class MarkingFolder:
         """Note the name that a file came with."""
         write_whole(self._names, json.dumps({**self.names(), path.name: given[:200]}, ensure_ascii=False))
 
-    def remove(self, name: str) -> None:
-        """Take a file that was brought away. Raises InputError for another name."""
-        path = next((path for path in self.brought() if path.name == name), None)
-        if path is None:
-            raise InputError(Problem("there is no such file", value=name[:40]))
-        path.unlink()
+    def remove(self, name: str) -> str:
+        """Put a file into the bin, and return its name there. Raises InputError for what is no file of a marking."""
+        with self.lock:
+            own = [path for known in (TYPED, REVIEW, POLICY) for path in self._own(known)]
+            path = next((path for path in (*self.brought(), *own) if path.name == name), None)
+            if path is None:
+                raise InputError(Problem("there is no such file", value=name[:40]))
+            home = self.path / BIN
+            home.mkdir(exist_ok=True)
+            number = 1 + max((int(kept[1]) for old in home.iterdir() if (kept := _KEPT.fullmatch(old.name))), default=0)
+            path.rename(home / f"{number}-{name}")
+            return f"{number}-{name}"
 
-    def written(self, name: str) -> dict[Asked, str]:
-        """What ``typed.csv`` or ``review.csv`` says, by question."""
-        found: dict[Asked, str] = {}
+    def restore(self, kept: str) -> None:
+        """Take a file out of the bin; what has its place goes there. Raises InputError for another name."""
+        found, path = _KEPT.fullmatch(kept), self.path / BIN / kept
+        with self.lock:
+            if found is None or not path.is_file() or path.is_symlink():
+                raise InputError(Problem("there is no such file", value=kept[:40]))
+            if self._own(found[2]):
+                self.remove(found[2])
+            path.rename(self.path / found[2])
+
+    def written(self, name: str, asked: Collection[Asked]) -> dict[Asked, str]:
+        """What the studio has written into ``typed.csv`` or ``review.csv``, by question; ``asked`` are all of them.
+
+        A file that another program has written is set aside: it is read as tables are, and nothing of it is lost.
+        """
         for path in self._own(name):
-            rows = csv.DictReader(io.StringIO(path.read_text("utf-8-sig"), newline=""))
-            for row in rows:
-                number, text = str(row.get("problem") or ""), str(row.get(_HEADS[name]) or "")
-                if number.isascii() and number.isdigit() and len(number) < 4:
-                    found[str(row.get("student")), int(number), str(row.get("quantity"))] = text.removeprefix("'")
-        return found
+            content = path.read_bytes()
+            entries = _entries(content)
+            if content == _table(name, entries).encode() and all(question in asked for question in entries):
+                return entries
+            stem = path.stem
+            other = self.path / f"{stem}-{self._next(stem)}.csv"
+            path.rename(other)
+            self.name(other, name)
+        return {}
 
     def write(self, name: str, entries: Mapping[Asked, str]) -> None:
         """Write ``typed.csv`` or ``review.csv``."""
         self.path.mkdir(parents=True, exist_ok=True)
-        out = io.StringIO()
-        writer = csv.writer(out, lineterminator="\n")
-        writer.writerow(("student", "problem", "quantity", _HEADS[name]))
-        writer.writerows((*asked, _cell(text)) for asked, text in entries.items() if text)
-        write_whole(self.path / name, out.getvalue())
+        write_whole(self.path / name, _table(name, entries))
 
-    def write_policy(self, policy: MarkingPolicy) -> None:
-        """Write the rules."""
+    def forget(self, asked: Asked, typed: str) -> str:
+        """Empty a reading in the ``review.csv`` that the command has written, if it is ``typed`` or that is ''.
+
+        The command repeats what was typed before, so that it would stand for ever. Returns the reading; '' for none.
+        """
+        for path in self._own(f"{RESULT}/{REVIEW}"):
+            try:
+                text = path.read_bytes().decode("utf-8-sig")
+                mark = ";" if ";" in text.partition("\n")[0] else ","
+                head, *rows = csv.reader(io.StringIO(text, newline=""), delimiter=mark)
+                columns = [head.index(name) for name in ("student", "problem", "quantity", "reading")]
+            except (ValueError, csv.Error):
+                continue  # whoever has written it takes it out
+            own = [row for row in rows if len(row) == len(head) and [row[n] for n in columns[:3]] == [*map(str, asked)]]
+            said = {row[columns[3]].removeprefix("'") for row in own} - {""}
+            if len(said) == 1 and (not typed or said == {typed}):
+                for row in own:
+                    row[columns[3]] = ""
+                out = io.StringIO()
+                csv.writer(out, delimiter=mark, lineterminator="\r\n").writerows([head, *rows])
+                write_whole(path, out.getvalue().encode("utf-8-sig"))
+                return said.pop()
+        return ""
+
+    def write_policy(self, policy: MarkingPolicy) -> str:
+        """Write the rules; returns the name in the bin of those that they replace, '' where there were none."""
         self.path.mkdir(parents=True, exist_ok=True)
+        kept = self.remove(POLICY) if self._own(POLICY) else ""
         write_whole(self.path / POLICY, policy_text(policy))
+        return kept
 
     @property
     def _names(self) -> Path:
@@ -133,6 +179,52 @@ class MarkingFolder:
 
     def _own(self, pattern: str) -> list[Path]:
         return [path for path in self.path.glob(pattern) if path.is_file() and not path.is_symlink()]
+
+    def _numbered(self, stem: str) -> list[Path]:
+        """The files ``stem-1``, ``stem-2``, ... in the order of their numbers."""
+        found = [(int(match[1]), path) for path in self._own(f"{stem}-*") if (match := _NUMBERED.fullmatch(path.name))]
+        return [path for _, path in sorted(found)]
+
+    def _aside(self, name: str) -> list[Path]:
+        """What was set aside of ``typed.csv`` or ``review.csv``, the newest first."""
+        return self._numbered(Path(name).stem)[::-1]
+
+    def _next(self, stem: str) -> int:
+        """A number that no such file has or, in the bin, has had."""
+        names = [path.name for path in self._own(f"{stem}-*")]
+        names += [path.name.partition("-")[2] for path in self._own(f"{BIN}/*-{stem}-*")]
+        return 1 + max((int(match[1]) for name in names if (match := _NUMBERED.fullmatch(name))), default=0)
+
+
+def _stamp(path: Path) -> tuple[object, ...]:
+    """What differs as soon as a file does; one may be taken away meanwhile, as where marks are written again."""
+    try:
+        found = path.stat()
+    except FileNotFoundError:
+        return (path.name,)
+    return path.name, found.st_mtime_ns, found.st_size
+
+
+def _entries(content: bytes) -> dict[Asked, str]:
+    """The answers of a file that the studio has written, by question; of another one whatever is alike."""
+    try:
+        rows = [row for row in csv.reader(io.StringIO(content.decode(), newline="")) if len(row) == 4]
+    except (UnicodeDecodeError, csv.Error):
+        return {}
+    return {
+        (student, int(number), quantity): text.removeprefix("'")
+        for student, number, quantity, text in rows
+        if number.isascii() and number.isdigit() and len(number) < 4
+    }
+
+
+def _table(name: str, entries: Mapping[Asked, str]) -> str:
+    """The text of ``typed.csv`` or ``review.csv``."""
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow(("student", "problem", "quantity", _HEADS[name]))
+    writer.writerows((*asked, _cell(text)) for asked, text in entries.items() if text)
+    return out.getvalue()
 
 
 def policy_text(policy: MarkingPolicy) -> str:

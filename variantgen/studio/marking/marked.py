@@ -11,14 +11,16 @@ from variantgen.exam.manifest import read_manifest
 from variantgen.exam.marking_policy import MarkingPolicy, read_policy_file
 from variantgen.families.folders import family_folders
 from variantgen.finished.restore import Finished, restore
-from variantgen.marking.answer_tables import FormWords, ReadAnswers, read_answers
+from variantgen.marking.answer_tables import ReadAnswers, read_answers
 from variantgen.marking.drawn import as_drawn
+from variantgen.marking.form_words import FormWords
 from variantgen.marking.key import Key
 from variantgen.marking.marks import Marked, mark
 from variantgen.marking.scan.collecting import Question, Scans, collect
 from variantgen.marking.scan.copies import ScannedAnswer
 from variantgen.marking.scan.joining import join
 from variantgen.marking.scan.pictures import is_picture
+from variantgen.marking.worth import worth_of
 from variantgen.studio.marking.folder import MarkingFolder
 from variantgen.studio.workspace import Workspace
 
@@ -27,7 +29,7 @@ from variantgen.studio.workspace import Workspace
 class MarkedClass:
     """The marks of a class, with what they were made from; ``doubtful`` are readings that nobody has decided.
 
-    ``faults`` are the reasons why files could not be read, by their names here.
+    ``faults`` are the reasons why files could not be read, by their names in the folder of the marking.
     """
 
     finished: Finished
@@ -76,7 +78,9 @@ class MarkedBuild:
         policy = finished.exam.marking
         if policy_file is not None:
             try:
-                policy = read_policy_file(policy_file, Key(finished.record).asked)
+                own_rules = read_policy_file(policy_file, Key(finished.record).asked)
+                worth_of(finished, Key(finished.record), own_rules)
+                policy = own_rules
             except InputError as error:
                 faults[policy_file.name] = error
         read = ReadAnswers((), ())
@@ -88,7 +92,7 @@ class MarkedBuild:
             try:
                 own = read_answers([path], FormWords.of(finished.exam))
             except InputError as error:
-                faults[path.name] = error
+                faults[path.relative_to(self._folder.path).as_posix()] = error
                 continue
             read = ReadAnswers(
                 (*read.answers, *own.answers),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -19,6 +20,7 @@ from variantgen.marking.diagnosis.causes import OTHER, Cause
 from variantgen.marking.marks import Marked, MarkedAnswer, StudentTotal, Verdict
 from variantgen.marking.words import cause_in_words
 from variantgen.studio.marking.marked import MarkedClass
+from variantgen.studio.messages import in_language
 from variantgen.wording.language import Language, load_language
 from variantgen.wording.mathml import to_mathml
 
@@ -26,6 +28,8 @@ VERDICTS = ("right", "follow_through", "wrong", "blank", "unreadable")
 RULES = ("sign", "power_of_ten", "unit", "rounding", "component", "mistake", "other_answer")  # shares that are shown
 _LISTED = 300
 _BANDS = 10
+_PLACE = re.compile(r", (?:worksheet .{1,31}, )?row \d+")
+_FILE = re.compile(r"\b(?:answers|typed|review)-\d+\.\w+")
 
 
 class MarkWords:
@@ -35,6 +39,13 @@ class MarkWords:
         self._found = found
         self.language: Language = load_language(language)
         self.marking = self.language.words("marking")
+        self._name = language
+
+    def told(self, message: str, names: Mapping[str, str]) -> str:
+        """A message of the program; ``names`` are those that files came with, by those that messages have."""
+        message = in_language(message, self._name)
+        message = _PLACE.sub(lambda found: in_language(found[0], self._name), message)
+        return _FILE.sub(lambda found: names.get(found[0], found[0]), message)
 
     def number(self, text: str) -> str:
         """A number with the decimal mark and the minus sign of the language."""
@@ -178,8 +189,8 @@ def class_in(found: MarkedClass, problem: int, words: MarkWords) -> dict[str, An
     return {"number": problem, "answers": len(handed), "rows": shares}
 
 
-def class_view(found: MarkedClass, words: MarkWords) -> dict[str, Any]:
-    """All problems, the points of the class, what was not matched."""
+def class_view(found: MarkedClass, words: MarkWords, names: Mapping[str, str]) -> dict[str, Any]:
+    """All problems, the points of the class, what was not matched in files, which came with these names."""
     mirrored = {
         (place, problem.number)
         for place, sheet in enumerate(found.finished.record.sheets)
@@ -213,7 +224,10 @@ def class_view(found: MarkedClass, words: MarkWords) -> dict[str, Any]:
             }
             for own in facts.problems
         ],
-        "left": [vars(item) for item in found.marked.not_matched[:_LISTED]],
+        "left": [
+            {"text": item.text, **{name: words.told(getattr(item, name), names) for name in ("where", "why", "remedy")}}
+            for item in found.marked.not_matched[:_LISTED]
+        ],
         "policy": policy_fields(found.policy),
     }
 
@@ -240,9 +254,9 @@ def _parts(found: MarkedClass, problem: int) -> list[dict[str, Any]]:
 
 def policy_fields(policy: MarkingPolicy) -> dict[str, str]:
     """The rules as the fields of the page have them: percents, steps."""
-    fields = {"tolerance": f"{policy.tolerance}", "follow_through": f"{(100 * policy.follow_through).normalize():f}"}
+    fields = {"tolerance": f"{policy.tolerance:f}", "follow_through": f"{(100 * policy.follow_through).normalize():f}"}
     fields |= {cause: f"{(100 * policy.shares.get(cause, Decimal(0))).normalize():f}" for cause in RULES}
-    return {**fields, "problem_step": f"{policy.problem_step}", "total_step": f"{policy.total_step}"}
+    return {**fields, "problem_step": f"{policy.problem_step:f}", "total_step": f"{policy.total_step:f}"}
 
 
 def with_fields(policy: MarkingPolicy, fields: Mapping[str, Decimal]) -> MarkingPolicy:

@@ -15,6 +15,7 @@ from variantgen.limits import TOML_BYTES
 from variantgen.studio.authoring import (
     FILES,
     begin,
+    drafts,
     folder_of,
     look,
     own_families,
@@ -84,18 +85,23 @@ async def create(request: Request) -> Response:
 
 
 async def state(request: Request) -> Response:
-    """The texts of a family with their versions."""
-    found = await run_in_threadpool(texts, folder_of(studio_of(request).workspace, request.path_params["family"]))
-    return JSONResponse({"texts": found, "versions": versions(found)})
+    """The texts of a family with their versions, and the drafts that wait for a choice."""
+    workspace, family = studio_of(request).workspace, request.path_params["family"]
+    found = await run_in_threadpool(texts, folder_of(workspace, family))
+    waiting = await run_in_threadpool(drafts, workspace, family, found)
+    return JSONResponse({"texts": found, "versions": versions(found), "drafts": waiting})
 
 
 async def write(request: Request) -> Response:
     """Write one file of a family, if nobody else has changed it since."""
-    folder, data = folder_of(studio_of(request).workspace, request.path_params["family"]), await read_json(request)
+    workspace, family = studio_of(request).workspace, request.path_params["family"]
+    folder_of(workspace, family)
+    data = await read_json(request)
     text = text_of(data, "text", TOML_BYTES)
     if len(text.encode()) > TOML_BYTES:
         raise InputError(Problem("is too long", key="text"))
-    version = await run_in_threadpool(save, folder, text_of(data, "file"), text, text_of(data, "version"))
+    file, version, settles = text_of(data, "file"), text_of(data, "version"), data.get("settles") is True
+    version = await run_in_threadpool(save, workspace, family, file, text, version, settles)
     return JSONResponse({"version": version})
 
 
@@ -118,7 +124,8 @@ async def solution(request: Request) -> Response:
 
 async def check(request: Request) -> Response:
     """What the command check finds in a family."""
-    workspace, family = studio_of(request).workspace, request.path_params["family"]
+    studio, family, language = studio_of(request), request.path_params["family"], language_of(request)
+    workspace = studio.workspace
     folder_of(workspace, family)
     await read_json(request)
     code, said, wrong = await run_command(
@@ -127,9 +134,13 @@ async def check(request: Request) -> Response:
     try:
         (report,) = json.loads(said)
     except ValueError:
-        text = (wrong or said).decode("utf-8", "replace").strip()[-2000:]
-        return JSONResponse({"ok": False, "rows": [{"ok": False, "text": text}]})
-    return JSONResponse({"ok": code == 0, "rows": _rows(report, page_words(language_of(request)))})
+        found = await studio.draw(lambda: look(workspace, family, "", FIRST_SEED, language))
+        mistaken = [
+            ": ".join(filter(None, (m["file"], m["key"], m["message"], m["remedy"]))) for m in found["mistakes"]
+        ]
+        rows = mistaken or [(wrong or said).decode("utf-8", "replace").strip()[-2000:]]
+        return JSONResponse({"ok": False, "rows": [{"ok": False, "text": text} for text in rows]})
+    return JSONResponse({"ok": code == 0, "rows": _rows(report, page_words(language))})
 
 
 def _rows(report: dict[str, Any], words: PageWords) -> list[dict[str, Any]]:

@@ -87,11 +87,20 @@ async def bring(request: Request) -> Response:
 
 
 async def drop(request: Request) -> Response:
-    """Take a file that was brought away."""
+    """Put a file into the bin."""
     from variantgen.studio.marking.changes import command_of
 
     data, (folder, _) = await read_json(request), _marking(request)
-    await run_in_threadpool(folder.remove, text_of(data, "file"))
+    kept = await run_in_threadpool(folder.remove, text_of(data, "file"))
+    return JSONResponse({"kept": kept, "command": command_of(studio_of(request), folder)})
+
+
+async def restore(request: Request) -> Response:
+    """Take a file out of the bin."""
+    from variantgen.studio.marking.changes import command_of
+
+    data, (folder, _) = await read_json(request), _marking(request)
+    await run_in_threadpool(folder.restore, text_of(data, "kept"))
     return JSONResponse({"command": command_of(studio_of(request), folder)})
 
 
@@ -119,7 +128,12 @@ async def write(request: Request) -> Response:
     from variantgen.studio.marking.changes import command_of, words_of_command
 
     await read_json(request)
-    folder, _ = _marking(request)
+    folder, marked = _marking(request)
+    if not folder.every():
+        raise InputError(Problem("there are no answers yet", remedy="type some, or bring a table or scans"))
+    found = await run_in_threadpool(marked.current)
+    if faults := _faults(folder, found, language_of(request)):  # the command stops at them, in English
+        raise InputError(map(Problem, map(": ".join, faults.items())))
     words = words_of_command(studio_of(request), folder)
     code, _, said = await run_command(*words)
     if code:
@@ -196,13 +210,9 @@ def _listing(request: Request, folder: MarkingFolder, found: MarkedClass, langua
     words = MarkWords(found, language)
     students = queue(found, words)
     names = folder.names()
-    faults = {name: error_text(error, language) for name, error in found.faults.items()}
+    faults = _faults(folder, found, language)
     files = [
-        {
-            "file": path.name,
-            "name": names.get(path.name, path.name),
-            "fault": faults.get(path.name, "").replace(f"{path}: ", ""),
-        }
+        {"file": path.name, "name": names.get(path.name, path.name), "fault": faults.pop(path.name, "")}
         for path in folder.brought()
     ]
     handed_in = sum(bool(one["handed_in"]) for one in students)
@@ -211,7 +221,7 @@ def _listing(request: Request, folder: MarkingFolder, found: MarkedClass, langua
         "students": students,
         "questions": questions(found),
         "files": files,
-        "fault": faults.get("policy.toml", "").replace(f"{folder.path}{os.sep}", ""),
+        "faults": faults,
         "left": len(found.marked.not_matched),
         "doubts": len(found.doubtful),
         "handed_in": handed_in,
@@ -220,6 +230,14 @@ def _listing(request: Request, folder: MarkingFolder, found: MarkedClass, langua
         "exam": request.path_params["exam"],
     }
     return part(request, "mark_list", "mark", **context)
+
+
+def _faults(folder: MarkingFolder, found: MarkedClass, language: str) -> dict[str, str]:
+    """Why files cannot be read, by their names in the folder of the marking."""
+    return {
+        name: error_text(error, language).replace(f"{folder.path / name}: ", "").replace(f"{folder.path}{os.sep}", "")
+        for name, error in found.faults.items()
+    }
 
 
 def _note(request: Request, folder: MarkingFolder, state: dict[str, int]) -> None:
@@ -240,7 +258,7 @@ def _shown(request: Request, folder: MarkingFolder, found: MarkedClass, language
     }
     view = query.get("view", "")
     if view == "class":
-        return part(request, "mark_class", "mark", **common, **views.class_view(found, words))
+        return part(request, "mark_class", "mark", **common, **views.class_view(found, words, folder.names()))
     if view == "questions":
         number, name = number_of(query.get("problem"), "problem", 1, 999), query.get("quantity", "")[:80]
         rows = views.question(found, number, name, words)
@@ -260,6 +278,7 @@ ROUTES = [
     Route("/{exam}/mark/find", find),
     Route("/{exam}/mark/answers", bring, methods=["PUT"]),
     Route("/{exam}/mark/drop", drop, methods=["POST"]),
+    Route("/{exam}/mark/restore", restore, methods=["POST"]),
     Route("/{exam}/mark/say", say, methods=["POST"]),
     Route("/{exam}/mark/policy", policy, methods=["POST"]),
     Route("/{exam}/mark/write", write, methods=["POST"]),

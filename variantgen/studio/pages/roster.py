@@ -13,13 +13,13 @@ from starlette.routing import Route
 
 from variantgen.errors import InputError, Problem
 from variantgen.limits import ROSTER_BYTES
-from variantgen.studio.documents.document import Document
+from variantgen.studio.documents.document import ConflictError, Document
 from variantgen.studio.frame import build_command, language_of, part, render
 from variantgen.studio.requests import document_of, number_of, read_json, read_upload, studio_of, text_of
 from variantgen.studio.studio import Studio
 from variantgen.studio.summary import summary
 from variantgen.studio.words import page_words
-from variantgen.studio.workspace import ROSTER, write_whole
+from variantgen.studio.workspace import write_whole
 
 if TYPE_CHECKING:
     from variantgen.studio.roster.table import ClassTables, Tab
@@ -52,31 +52,40 @@ async def bring(request: Request) -> Response:
     name = request.query_params.get("name", "")[:200]
     content = await read_upload(request, ROSTER_BYTES)
     tables = studio_of(request).class_tables
-    await run_in_threadpool(_alone, tables, tables.bring, content, name)
-    return JSONResponse({})
+    return JSONResponse(await run_in_threadpool(_alone, tables, _brought, tables, content, name))
 
 
 async def say(request: Request) -> Response:
     """What a column, a row, a worksheet is, or the answer to a question."""
     data = await read_json(request)
     document_of(request)
-    await run_in_threadpool(_alone, studio_of(request).class_tables, _said, studio_of(request), data)
+    studio = studio_of(request)
+    version = await run_in_threadpool(_alone, studio.class_tables, _said, studio, data)
+    return JSONResponse({"version": version})
+
+
+async def take(request: Request) -> Response:
+    """Let a table that was brought before be the one that is looked at, or none."""
+    data = await read_json(request)
+    document_of(request)
+    tables = studio_of(request).class_tables
+    await run_in_threadpool(_alone, tables, _taken, tables, data)
     return JSONResponse({})
 
 
 async def use(request: Request) -> Response:
     """Write the class list; the one before can be taken back."""
-    await read_json(request)
+    data = await read_json(request)
     studio, document = studio_of(request), document_of(request)
-    count = await run_in_threadpool(_alone, studio.class_tables, _written, studio, document)
-    return JSONResponse({"students": count, **_frame(studio, document, language_of(request))})
+    count, written = await run_in_threadpool(_alone, studio.class_tables, _written, studio, document, data)
+    return JSONResponse({"students": count, "list": written, **_frame(studio, document, language_of(request))})
 
 
 async def back(request: Request) -> Response:
-    """Put the class list back that was there before."""
-    await read_json(request)
+    """Put the class list back that was there before the one of a SHA-256 was used."""
+    data = await read_json(request)
     studio, document = studio_of(request), document_of(request)
-    await run_in_threadpool(_alone, studio.class_tables, _put_back, studio)
+    await run_in_threadpool(_alone, studio.class_tables, _put_back, studio, text_of(data, "list"))
     return JSONResponse(_frame(studio, document, language_of(request)))
 
 
@@ -92,8 +101,34 @@ def _frame(studio: Studio, document: Document, language: str) -> dict[str, Any]:
     return {"under": summary(words, studio, document), "command": build_command(studio, document)}
 
 
-def _said(studio: Studio, data: dict[str, Any]) -> None:
-    """Keep what is said of the table. Raises InputError for what does not fit."""
+def _compare(tables: ClassTables, data: dict[str, Any]) -> None:
+    """Raise ConflictError where the table is no longer as the window that asks has seen it."""
+    if text_of(data, "version") != tables.version():
+        now = tables.current()
+        raise ConflictError("table", "", now.name if now else "")
+
+
+def _brought(tables: ClassTables, content: bytes, name: str) -> dict[str, str]:
+    """Bring a table; the key of the one before."""
+    before = tables.key()
+    tables.bring(content, name)
+    return {"before": before}
+
+
+def _taken(tables: ClassTables, data: dict[str, Any]) -> None:
+    """Put another table in the place of the one that the window has seen. Raises ConflictError, InputError."""
+    _compare(tables, data)
+    tables.take(text_of(data, "table"))
+
+
+def _said(studio: Studio, data: dict[str, Any]) -> str:
+    """Keep what is said of the table; its new version. Raises ConflictError, InputError for what does not fit."""
+    _compare(studio.class_tables, data)
+    _say(studio, data)
+    return studio.class_tables.version()
+
+
+def _say(studio: Studio, data: dict[str, Any]) -> None:
     from variantgen.studio.roster.students import ANSWERS
 
     if not studio.class_tables.is_brought():
@@ -137,47 +172,41 @@ def _changed(tab: Tab, data: dict[str, Any]) -> Tab:
     return replace(tab, kinds=tuple(kinds))
 
 
-def _written(studio: Studio, document: Document) -> int:
-    """Write the class list of the table that was brought; the number of students. Raises InputError."""
+def _written(studio: Studio, document: Document, data: dict[str, Any]) -> tuple[int, str]:
+    """Write the class list of the table that was brought; the number of students, the SHA-256.
+
+    Raises ConflictError where the window has seen another table, InputError.
+    """
     from variantgen.exam.roster import read_class
+    from variantgen.studio.roster.lists import write_list
     from variantgen.studio.roster.students import read_students, roster_csv
-    from variantgen.studio.roster.table import file_hash
     from variantgen.studio.roster.view import last_build, students_of
 
+    _compare(studio.class_tables, data)
     table = studio.class_tables.current()
     reading = read_students(table, students_of(last_build(studio, document))) if table else None
     if table is None or reading is None or not reading.is_ready:
         raise InputError(Problem("the table still has questions", remedy="answer them first"))
-    workspace = studio.workspace
-    before, path, trial = workspace.roster(), workspace.folder / ROSTER, workspace.state("roster", "trial.csv")
-    text = roster_csv(reading.students)
+    trial, text = studio.workspace.state("roster", "trial.csv"), roster_csv(reading.students)
     write_whole(trial, text)
     try:
         found = read_class(trial)  # as a build reads it: what it would refuse is not written
     finally:
         trial.unlink(missing_ok=True)
-    old = workspace.state("roster", "before.csv")
-    if before is None:
-        old.unlink(missing_ok=True)
-    else:
-        write_whole(old, before.read_bytes())
-    write_whole(path, text)
+    is_brought = studio.class_tables.is_brought()
+    written = write_list(studio.workspace, text)
     studio.class_tables.remember(table)
-    if studio.class_tables.is_brought():
-        studio.class_tables.say(replace(table, taken=file_hash(path)))
-    return len(found.students)
+    if is_brought:
+        studio.class_tables.say(replace(table, taken=written))
+    return len(found.students), written
 
 
-def _put_back(studio: Studio) -> None:
-    """Let the class list be as it was before the last one was used."""
-    workspace = studio.workspace
-    old, path = workspace.state("roster", "before.csv"), workspace.roster()
+def _put_back(studio: Studio, written: str) -> None:
+    """Let the class list be as it was before the one of a SHA-256 was used. Raises InputError."""
+    from variantgen.studio.roster.lists import take_back
+
     table = studio.class_tables.current() if studio.class_tables.is_brought() else None
-    if old.is_file():
-        write_whole(workspace.folder / ROSTER, old.read_bytes())
-        old.unlink()
-    elif path is not None:
-        path.unlink()
+    take_back(studio.workspace, written)
     if table is not None:
         studio.class_tables.say(replace(table, taken=""))
 
@@ -187,6 +216,7 @@ ROUTES = [
     Route("/{exam}/roster/shown", shown),
     Route("/{exam}/roster/table", bring, methods=["PUT"]),
     Route("/{exam}/roster/say", say, methods=["POST"]),
+    Route("/{exam}/roster/take", take, methods=["POST"]),
     Route("/{exam}/roster/use", use, methods=["POST"]),
     Route("/{exam}/roster/back", back, methods=["POST"]),
 ]

@@ -1,6 +1,7 @@
 """A table of a class as it was brought, on disk, with what the instructor has said of it.
 
 It lies in ``.studio/roster``: ``table`` holds its bytes, ``said.json`` its name, the columns, the answers to questions.
+``uploads`` keeps both of every table that another one took the place of, by ``key``.
 ``columns.json`` remembers what columns were said to be by their heads, so that the next list is read the same way.
 """
 
@@ -8,6 +9,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import re
 import threading
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -15,7 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from variantgen.errors import InputError, Problem
-from variantgen.exam.roster.columns import NAME_PARTS, find_columns
+from variantgen.exam.roster.columns import NAME_PARTS, cell_of, find_columns
 from variantgen.exam.roster.reading import only_counts
 from variantgen.exam.roster.table_files import read_worksheets
 from variantgen.exam.roster.worksheet import Worksheet
@@ -26,6 +28,7 @@ from variantgen.studio.workspace import ROSTER, Workspace, write_whole
 KINDS = ("", "name", *NAME_PARTS, "id", "group")
 _ANSWERS = 5000
 _LONGEST = 400
+_KEY = 16  # digits of a hash that name a table or a version
 
 
 @dataclass(frozen=True)
@@ -75,6 +78,7 @@ class ClassTables:
         before = self._said().get("answers", {})
         kept = {key: text for key, text in _texts(before).items() if key.startswith("id:")}
         sheets = self._worksheets(content, name)
+        self._keep()
         write_whole(self._place("table"), content)
         found = ClassTable(name, self._guessed(sheets), kept)
         self._write(found)
@@ -92,10 +96,39 @@ class ClassTables:
         """Keep what was said of the table that was brought."""
         self._write(table)
 
-    def drop(self) -> None:
-        """Forget the table that was brought; the class list stays."""
-        for name in ("table", "said.json"):
-            self._place(name).unlink(missing_ok=True)
+    def key(self) -> str:
+        """By what the table that was brought is kept when another takes its place; '' without one."""
+        return self._key() if self.is_brought() else ""
+
+    def version(self) -> str:
+        """What changes with the table, with what is said of it and with the class list."""
+        own = (self._place("table"), self._place("said.json"), self._workspace.roster())
+        return hashlib.sha256(" ".join(file_hash(path) for path in own).encode()).hexdigest()[:_KEY]
+
+    def take(self, key: str) -> None:
+        """Let the table of a key be the one that was brought, or none for ''; the one before is kept."""
+        place = self._place("uploads")
+        if key and (not re.fullmatch(r"[0-9a-f]+", key) or not (place / key).is_file()):
+            raise InputError(Problem("there is no such table", remedy="bring it again"))
+        content, said = (place / key).read_bytes() if key else b"", _json(place / f"{key}.json")
+        self._keep()
+        if not key:
+            self._place("table").unlink(missing_ok=True)
+            self._place("said.json").unlink(missing_ok=True)
+            return
+        if said.get("taken") != file_hash(self._workspace.roster()):
+            said["taken"] = ""
+        write_whole(self._place("table"), content)
+        write_whole(self._place("said.json"), json.dumps(said, ensure_ascii=False))
+
+    def _key(self) -> str:
+        return file_hash(self._place("table"))[:_KEY]
+
+    def _keep(self) -> None:
+        """Keep the table that is there, with what was said of it."""
+        for name, kept in (("table", self._key()), ("said.json", f"{self._key()}.json")):
+            if self._place(name).is_file():
+                write_whole(self._workspace.state("roster", "uploads", kept), self._place(name).read_bytes())
 
     def adopt(self) -> ClassTable | None:
         """Treat the class list as a table that was brought, so that it can be changed by sight."""
@@ -110,9 +143,14 @@ class ClassTables:
         return there and (not taken or taken == file_hash(self._workspace.roster()))
 
     def remember(self, table: ClassTable) -> None:
-        """Note what columns hold by their heads."""
+        """Note by their heads what columns were said to be, where that is not what is guessed anyway."""
         known = _texts(_json(self._place("columns.json")))
-        known |= {tab.head: ",".join(tab.kinds) for tab in table.tabs if tab.used and tab.head}
+        guessed = _guesses([Worksheet(tab.rows, tab.title) for tab in table.tabs], {})
+        for tab, guess in zip(table.tabs, guessed, strict=True):
+            if tab.used and tab.head:
+                known.pop(tab.head, None)
+                if (tab.begin, tab.kinds) != (guess.begin, guess.kinds):
+                    known[tab.head] = ",".join(tab.kinds)
         write_whole(self._place("columns.json"), json.dumps(dict(list(known.items())[-200:]), ensure_ascii=False))
 
     def _guess_of(self, roster: Path) -> ClassTable:
@@ -136,8 +174,7 @@ class ClassTables:
         return self._parsed[1]
 
     def _guessed(self, sheets: Sequence[Worksheet]) -> tuple[Tab, ...]:
-        known = _texts(_json(self._place("columns.json")))
-        found = [_guess(sheet, known) for sheet in sheets]
+        found = _guesses(sheets, _texts(_json(self._place("columns.json"))))
         if not any(tab.used for tab in found):
             found[0] = replace(found[0], used=True)
         return tuple(found)
@@ -160,11 +197,35 @@ class ClassTables:
 
 def file_hash(path: Path | None) -> str:
     """The SHA-256 of a file; '' without one."""
-    return hashlib.sha256(path.read_bytes()).hexdigest() if path else ""
+    return hashlib.sha256(path.read_bytes()).hexdigest() if path and path.is_file() else ""
 
 
-def _guess(sheet: Worksheet, known: Mapping[str, str]) -> Tab:
-    """A worksheet with the columns as they were said to be before, or as a build would read it."""
+def _guesses(sheets: Sequence[Worksheet], known: Mapping[str, str]) -> list[Tab]:
+    """Worksheets with the columns as they were said to be before, or as a build would read them.
+
+    A build takes a column of numbers (``No``) for the id unless it only counts the rows, in all worksheets alike; a
+    column that is headed as id is one, whatever it holds.
+    """
+    counted = only_counts([numbers for sheet in sheets if (numbers := _numbers(sheet))])
+    return [_guess(sheet, known, "" if counted else "id") for sheet in sheets]
+
+
+def _numbers(sheet: Worksheet) -> list[str]:
+    """What stands in the column of numbers of a worksheet, of the rows that hold something else, too."""
+    try:
+        columns = find_columns([cells for _, cells in sheet.rows])
+    except InputError:
+        return []
+    if "number" not in columns.places:
+        return []
+    rows = [
+        {kind: cell_of(cells, k) for kind, k in columns.places.items()} for _, cells in sheet.rows[columns.row + 1 :]
+    ]
+    return [found["number"] for found in rows if any(text for kind, text in found.items() if kind != "number")]
+
+
+def _guess(sheet: Worksheet, known: Mapping[str, str], number: str) -> Tab:
+    """A worksheet whose column of numbers holds what ``number`` says."""
     width = max(len(cells) for _, cells in sheet.rows)
     for place in range(min(TITLE_ROWS, len(sheet.rows))):
         tab = Tab(sheet.title, sheet.rows, place + 1, ("",) * width, True)
@@ -176,12 +237,9 @@ def _guess(sheet: Worksheet, known: Mapping[str, str]) -> Tab:
     except InputError:
         begin, kinds = by_looks([cells for _, cells in sheet.rows], width)
         return Tab(sheet.title, sheet.rows, begin, kinds, "name" in kinds)
-    found = {place: kind for kind, place in columns.places.items() if kind != "number"}
-    rows = [cells for _, cells in sheet.rows[columns.row + 1 :]]
-    own = columns.places.get("id", columns.places.get("number"))
-    if own is not None:  # what only counts the rows is no id
-        counts = only_counts([[cells[own] if own < len(cells) else "" for cells in rows]])
-        found[own] = "" if counts else "id"
+    found = {place: kind for kind, place in columns.places.items()}
+    if "number" in columns.places:
+        found[columns.places["number"]] = "" if "id" in columns.places else number
     return Tab(sheet.title, sheet.rows, columns.row + 1, tuple(found.get(i, "") for i in range(width)), True)
 
 

@@ -7,6 +7,8 @@ from typing import Any
 from variantgen.errors import InputError
 from variantgen.exam.manifest import Manifest, read_manifest
 from variantgen.exam.roster import Student
+from variantgen.exam.roster.columns import cell_of
+from variantgen.exam.roster.reading import only_counts
 from variantgen.finished.late import Changes, changes
 from variantgen.studio.documents.document import Document
 from variantgen.studio.messages import error_text
@@ -43,8 +45,9 @@ def look(studio: Studio, document: Document, place: int, language: str) -> dict[
         table, fault = studio.class_tables.current(), ""
     except InputError as error:
         table, fault = None, error_text(error, language)
+    seen = {"key": studio.class_tables.key(), "version": studio.class_tables.version()}
     if table is None:
-        return {"table": None, "fault": fault}
+        return {"table": None, "fault": fault, **seen}
     record = last_build(studio, document)
     reading = read_students(table, students_of(record))
     words = page_words(language)
@@ -52,6 +55,7 @@ def look(studio: Studio, document: Document, place: int, language: str) -> dict[
     shown = min(place, len(table.tabs) - 1)
     return {
         "table": table,
+        **seen,
         "fault": "",
         "file": ROSTER,
         "kinds": KINDS,
@@ -64,6 +68,7 @@ def look(studio: Studio, document: Document, place: int, language: str) -> dict[
         "taken": taken,
         "students": words.counted(len(reading.students), "student"),
         "counts": _counts(table, reading),
+        "hidden": max(len(table.tabs[shown].rows) - _SHOWN, 0),
         "since": _since(record, reading, studio, document, language),
     }
 
@@ -107,8 +112,14 @@ def _counts(table: ClassTable, reading: ClassReading) -> dict[str, Any]:
         "first": first,
         "groups": groups,
         "with_id": any("id" in tab.kinds for tab in table.tabs if tab.used),
-        "hidden": max(len(table.tabs[0].rows) - _SHOWN, 0) if len(table.tabs) == 1 else 0,
+        "counting": only_counts(_ids(table)),
     }
+
+
+def _ids(table: ClassTable) -> list[list[str]]:
+    """What stands in the columns of ids, by worksheet."""
+    used = [tab for tab in table.tabs if tab.used and "id" in tab.kinds]
+    return [[cell_of(cells, tab.kinds.index("id")) for _, cells in tab.rows[tab.begin :]] for tab in used]
 
 
 def _since(

@@ -1,5 +1,5 @@
 // Author: every text is kept a moment after it was typed, then the figure, the statements and what is wrong are shown anew.
-import { $, all, complain, edit, el, exam, fill, get, icon, lang, note, post } from "./studio.js";
+import { $, all, complain, edit, el, exam, fill, get, icon, inTurn, lang, note, post } from "./studio.js";
 
 if ($("new")) begin(); else work();
 
@@ -8,7 +8,7 @@ function begin() {
   $("new").addEventListener("submit", async event => {
     event.preventDefault();
     const given = new FormData(event.target);
-    try { location.search = (await post("/author/new", { name: given.get("name"), start: given.get(given.get("start") === "other" ? "other" : "start") })).address; } catch (error) { $("refused").textContent = error.message; $("refused").hidden = false; }
+    try { location.search = (await post(`/author/new?lang=${lang}`, { name: given.get("name"), start: given.get(given.get("start") === "other" ? "other" : "start") })).address; } catch (error) { $("refused").textContent = error.message; $("refused").hidden = false; }
   });
 }
 
@@ -17,31 +17,43 @@ function work() {
   const areas = all("textarea[data-file]"), area = Object.fromEntries(areas.map(one => [one.dataset.file, one])), known = {}, saved = {};
   let seed = 11, mistakes = [], at = -1, last = areas[2], asked = 0;
 
-  // ---- texts: kept on the version that was seen; where another program was faster, both are shown.
-  const timers = new Map();
-  const waiting = file => file in saved && (timers.has(file) || area[file].value !== saved[file]);
+  // ---- texts: kept one after another on the version that was seen; where another program was faster, both are there
+  // until one of them is chosen. Saves go on meanwhile: what they are refused is a draft, which the next window shows.
+  const timers = new Map(), conflicts = {};
+  const waiting = file => file in saved && (file in conflicts || timers.has(file) || area[file].value !== saved[file]);
+  function take(file, text, version) { area[file].value = text; saved[file] = area[file].value; known[file] = version; number(area[file]); }
   async function keep(file) {
     clearTimeout(timers.get(file)); timers.delete(file);
+    if (await inTurn(() => kept(file))) await show();
+  }
+  async function kept(file) {
     const text = area[file].value;
-    if (!(file in saved) || text === saved[file]) return;
+    if (!(file in saved) || text === saved[file] && !(file in conflicts)) return false;
     $("kept").textContent = words.keeping;
     try {
-      known[file] = (await post(`${base}/save`, { file, text, version: known[file] })).version;
-      saved[file] = text;
-      $("kept").textContent = words.kept;
+      known[file] = (await post(`${base}/save?lang=${lang}`, { file, text, version: known[file], settles: file in conflicts })).version;
+      saved[file] = text; delete conflicts[file]; choices();
+      return true;
     } catch (error) {
-      if (error.status !== 409) return complain(error);
-      return both(file, text, error.data.theirs);
+      if (error.status === 409) try { const now = await get(`${base}/state?lang=${lang}`); both(file, now); } catch (other) { complain(other); }
+      else { $("kept").textContent = words.not_kept; complain(error); }
+      return false;
     }
-    await show();
   }
-  function both(file, mine, theirs) {
-    const settle = text => async () => {
-      try { const now = await get(`${base}/state`); known[file] = now.versions[file]; saved[file] = now.texts[file]; area[file].value = text ?? now.texts[file]; await keep(file); await show(); } catch (error) { complain(error); }
-    };
-    $("kept").textContent = words.not_kept;
-    $("oops").hidden = false;
-    $("oops").replaceChildren(el("li", {}, fill(words.both, { file }), " ", el("button", { type: "button", onclick: settle(mine) }, words.mine), " ", el("button", { type: "button", onclick: settle(null) }, words.theirs), el("pre", {}, theirs)));
+  function both(file, now) { conflicts[file] = { text: now.texts[file], version: now.versions[file] }; choices(); }
+  function choices() {
+    $("kept").textContent = Object.keys(conflicts).length ? words.not_kept : words.kept;
+    $("both").hidden = !Object.keys(conflicts).length;
+    $("both").replaceChildren(...Object.entries(conflicts).map(([file, theirs]) => el("li", {}, fill(words.both, { file }), " ",
+      el("button", { type: "button", onclick: () => { known[file] = theirs.version; keep(file); } }, words.mine), " ",
+      el("button", { type: "button", onclick: () => theirs_of(file, theirs) }, words.theirs), el("pre", {}, theirs.text))));
+  }
+  // The text of the file in place of one's own, which can be put back; that the server writes it ends the draft.
+  async function theirs_of(file, { text, version }) {
+    const mine = area[file].value;
+    area[file].value = text; known[file] = version; saved[file] = null;
+    await keep(file);
+    note(words.taken, words.take_back, () => { area[file].value = mine; number(area[file]); keep(file); });
   }
   for (const one of areas) {
     one.addEventListener("input", () => { number(one); clearTimeout(timers.get(one.dataset.file)); timers.set(one.dataset.file, setTimeout(() => keep(one.dataset.file), 500)); });
@@ -51,10 +63,11 @@ function work() {
   }
   addEventListener("pagehide", () => { for (const one of areas) if (waiting(one.dataset.file)) fetch(`${base}/save`, { method: "POST", keepalive: true, headers: { "content-type": "application/json" }, body: JSON.stringify({ file: one.dataset.file, text: one.value, version: known[one.dataset.file] }) }); });
   // What another program has written is taken where nothing waits to be kept.
-  async function refresh() {
-    const now = await get(`${base}/state`);
-    for (const file of Object.keys(area)) if (known[file] !== now.versions[file] && !waiting(file)) { area[file].value = saved[file] = now.texts[file]; known[file] = now.versions[file]; number(area[file]); }
-  }
+  const refresh = () => inTurn(async () => {
+    const now = await get(`${base}/state?lang=${lang}`);
+    for (const file of Object.keys(area)) if (known[file] !== now.versions[file] && !waiting(file)) take(file, now.texts[file], now.versions[file]);
+    return now;
+  });
   addEventListener("focus", () => refresh().then(show).catch(() => {}));
 
   // ---- lines
@@ -153,6 +166,10 @@ function work() {
     event.preventDefault();
   });
   (async () => {
-    try { await refresh(); await show(); } catch (error) { complain(error); }
+    try {
+      const now = await refresh();
+      for (const [file, text] of Object.entries(now.drafts)) { area[file].value = text; known[file] = ""; number(area[file]); both(file, now); }
+      await show();
+    } catch (error) { complain(error); }
   })();
 }

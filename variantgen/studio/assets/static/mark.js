@@ -67,6 +67,7 @@ async function sheet() {
 const links = () => all(`.people[data-of=${state.view === "questions" ? "questions" : "students"}] a`, list).filter(link => link.offsetParent);
 function open(link) {
   if (!link) return;
+  leave();
   if (link.dataset.code) { state.view = "students"; state.code = link.dataset.code; } else { state.view = "questions"; state.problem = link.dataset.problem; state.quantity = link.dataset.quantity; }
   return show(true);
 }
@@ -75,27 +76,37 @@ function go(by) {
   return open(all_[at + by] ?? (by > 0 && state.only === "doubts" ? all_[0] : undefined));
 }
 function see(view) {
+  leave();
   state.view = view;
   if (view === "questions" && !state.problem) { const first = list.querySelector("[data-problem]"); state.problem = first?.dataset.problem ?? ""; state.quantity = first?.dataset.quantity ?? ""; }
   return show(true);
 }
 
 // ---- answers
+const saying = new Set();  // answers on their way: marks are written after them
 async function say(row, text, undone = false) {
   const { code, problem, quantity } = row.dataset;
-  const data = await post(`/${exam}/mark/say?${asked()}`, { code, problem, quantity, text });
+  const sent = post(`/${exam}/mark/say?${asked()}`, { code, problem, quantity, text }, { keepalive: true });  // a window that is closed loses none
+  saying.add(sent);
+  const data = await sent.finally(() => saying.delete(sent));
   $("command").textContent = data.command;
   const verdict = row.querySelector(".v"), kind = { right: "right", wrong: "wrong", blank: "blank" }[data.verdict] ?? "doubt";
   verdict.className = `v ${kind}`; verdict.lastChild.textContent = words[`verdict_${data.verdict}`];
-  if (undone || data.before && data.before !== text) note(fill(words.changed, { before: data.before || "–", text: text || "–" }), undone ? "" : words.take_back, () => say(row, data.before, true).then(refresh, complain));
+  const back = () => say(row, data.before, true).then(refresh, complain), changed = fill(words.changed, { before: data.before || "–", text: data.text || "–" });
+  if (undone) note(changed);
+  else if (data.of_file) note(fill(words.stands, data), data.before ? words.take_back : "", back);
+  else if (data.before && data.before !== text) note(changed, words.take_back, back);
   refresh();
 }
-function commit(box) {
-  const text = box.value.trim();
-  if (text === box.dataset.was) return;
+async function commit(box) {
+  const text = box.value.trim(), was = box.dataset.was;
+  if (text === was) return;
   box.dataset.was = text;
-  say(box.closest("[data-answer]"), text).catch(complain);
+  try { await say(box.closest("[data-answer]"), text); } catch (error) { box.dataset.was = was; complain(error); }
 }
+// What is being typed is kept before anything else is shown, and when the window is closed.
+const leave = () => { const box = document.activeElement; return box?.matches("[data-answer] input") ? commit(box) : undefined; };
+addEventListener("pagehide", leave);
 const boxes = () => all("[data-answer] input", shown);
 shown.addEventListener("change", event => { if (event.target.closest("[data-answer]")) commit(event.target); if (event.target.closest("#policy")) effect(false); });
 shown.addEventListener("keydown", event => {
@@ -134,7 +145,7 @@ async function effect(use) {
   try {
     const found = await post(`/${exam}/mark/policy?${asked()}`, { fields: own, use });
     if (n !== trying) return;
-    if (use) { $("command").textContent = found.command; note(words.rules_used); await show(); await showList(); return; }
+    if (use) { $("command").textContent = found.command; note(words.rules_used, words.take_back, () => back(found.kept)); await all_(); return; }
     const who = found.who.length ? el("details", {}, el("summary", {}, words.who), el("ul", {}, ...found.who.map(one => el("li", {}, `${one.name}: ${one.before} → ${one.now}`)))) : "";
     $("effect").replaceChildren(found.who.length ? fill(words.effect, found) : words.no_effect, who);
   } catch (error) { $("use").disabled = true; $("effect").textContent = error.message; }
@@ -147,7 +158,12 @@ list.addEventListener("click", async event => {
   if (link) { event.preventDefault(); open(link); }
   if (button?.dataset.only) { state.only = button.dataset.only; mark(); if (state.only === "doubts") open(links()[0]); }
   if (button?.dataset.view) see(button.dataset.view);
-  if (button?.dataset.drop) try { $("command").textContent = (await post(`/${exam}/mark/drop?${asked()}`, { file: button.dataset.drop })).command; await all_(); } catch (error) { complain(error); }
+  if (button?.dataset.drop) try {
+    const found = await post(`/${exam}/mark/drop?${asked()}`, { file: button.dataset.drop });
+    $("command").textContent = found.command;
+    note(fill(words.removed, { file: button.dataset.name }), words.take_back, () => back(found.kept));
+    await all_();
+  } catch (error) { complain(error); }
 });
 list.addEventListener("keydown", event => {
   const link = event.target.closest(".people a"), by = { ArrowDown: 1, ArrowUp: -1 }[event.code];
@@ -164,6 +180,13 @@ list.addEventListener("submit", async event => {
     await show(true);
   } catch (error) { note(error.message); box.select(); }
 });
+// A file comes back out of the bin; rules that replaced none go there.
+async function back(kept) {
+  try {
+    $("command").textContent = (await (kept ? post(`/${exam}/mark/restore?${asked()}`, { kept }) : post(`/${exam}/mark/drop?${asked()}`, { file: "policy.toml" }))).command;
+    await all_();
+  } catch (error) { complain(error); }
+}
 async function all_() { await showList(); await show(); }
 async function bring(files) {
   list.setAttribute("aria-busy", "true");
@@ -191,6 +214,8 @@ $("which")?.addEventListener("change", event => { location.search = new URLSearc
 $("write")?.addEventListener("click", async event => {
   const button = event.currentTarget;
   button.disabled = true; note(words.writing, "", null, 0);
+  leave();
+  await Promise.allSettled(saying);
   try { $("command").textContent = (await post(`/${exam}/mark/write?${asked()}`, {})).command; note(words.is_written); await showList(); const results = list.querySelector(".results"); if (results) { results.open = true; results.scrollIntoView(); } } catch (error) { complain(error); }
   button.disabled = false;
 });

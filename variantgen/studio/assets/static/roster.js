@@ -1,9 +1,9 @@
 // Roster: a table brought as a file, dropped or pasted; its columns named by sight; the class list written from it.
-import { $, all, complain, exam, fill, lang, note, post, typing } from "./studio.js";
+import { $, all, complain, el, exam, fill, inTurn, lang, note, post, typing, words as common } from "./studio.js";
 
 const page = document.querySelector(".rosters"), words = JSON.parse(page.dataset.words);
 const use = $("use"), shown = $("shown");
-let tab = 0;
+let tab = 0, seen = {};  // of the table: its key, its name, the version that every request is made on
 
 async function show() {
   const answer = await fetch(`/${exam}/roster/shown?${new URLSearchParams({ lang, tab })}`);
@@ -14,13 +14,39 @@ async function show() {
   const scroll = shown.querySelector(".scroll");
   if (scroll) { scroll.scrollTop = at; scroll.scrollLeft = left; }
   if (focused && document.activeElement === document.body) $(focused)?.focus();
-  const found = shown.firstElementChild?.dataset ?? {};
+  const found = seen = { ...shown.firstElementChild?.dataset };
   use.hidden = !("ready" in found);
   use.disabled = found.ready !== "yes" || found.taken === "yes";
   use.textContent = found.taken === "yes" ? fill(words.is_used, { students: found.students }) : found.ready === "yes" ? fill(words.use_these, { students: found.students }) : found.count === "0" ? words.no_students : fill(words.first_answer, { questions: found.asked });
 }
+// Requests go one after another, each on the version that was seen or that the one before has made of it.
+const made = {};
+function ask(what, data) {
+  const own = seen;
+  return inTurn(async () => {
+    let version = own.version;
+    while (version in made) version = made[version];
+    try {
+      const found = await post(`/${exam}/roster/${what}?lang=${lang}`, { ...data, version });
+      if (found.version && found.version !== version) made[version] = found.version;
+      return found;
+    } catch (error) {
+      if (error.status === 409) { await show(); both(own); }
+      throw error;
+    }
+  });
+}
+// Another window has brought another table: one of both is chosen. It stays until that is done.
+function both(mine) {
+  if (!mine.key || mine.key === seen.key) return;
+  const end = () => { $("overtaken").hidden = true; };
+  $("overtaken").replaceChildren(fill(words.overtaken, { theirs: seen.name, mine: mine.name }), " ",
+    el("button", { type: "button", onclick: () => take(mine.key).then(end, complain) }, common.keep_mine), " ", el("button", { type: "button", onclick: end }, common.take_that));
+  $("overtaken").hidden = false;
+}
+async function take(key) { await ask("take", { table: key }); tab = 0; await show(); }
 async function say(data) {
-  try { await post(`/${exam}/roster/say`, data); await show(); } catch (error) { complain(error); }
+  try { await ask("say", data); await show(); } catch (error) { complain(error); }
 }
 async function bring(body, name) {
   shown.setAttribute("aria-busy", "true");
@@ -29,8 +55,9 @@ async function bring(body, name) {
     const data = await answer.json();
     if (!answer.ok) throw new Error(data.problems.map(p => [p.message, p.remedy].filter(Boolean).join(": ")).join("; "));
     tab = 0;
-  } catch (error) { complain(error); }
-  await show();
+    await show();
+    note(words.is_read, words.take_back, () => take(data.before).catch(complain));
+  } catch (error) { complain(error); await show(); }
 }
 function around(data) {
   for (const [name, text] of Object.entries(data.under)) all(`[data-under="${name}"]`, document.body).forEach(place => { place.textContent = text; });
@@ -73,9 +100,9 @@ addEventListener("drop", event => {
 use.addEventListener("click", async () => {
   use.disabled = true;
   try {
-    const data = await post(`/${exam}/roster/use`, {});
+    const data = await ask("use", {});
     around(data); await show();
-    note(words.written, words.take_back, async () => { try { around(await post(`/${exam}/roster/back`, {})); await show(); } catch (error) { complain(error); } });
+    note(words.written, words.take_back, async () => { try { around(await post(`/${exam}/roster/back?lang=${lang}`, { list: data.list })); await show(); } catch (error) { complain(error); } });
   } catch (error) { complain(error); await show(); }
 });
 await show();

@@ -63,7 +63,7 @@ export const post = (url, data, options = {}) =>
 let others = 0;
 const seen = () => { const then = state.version, before = others; return () => others === before ? state.version : then; };
 let queue = Promise.resolve();
-const inTurn = work => { const next = queue.then(work, work); queue = next.catch(() => {}); return next; };
+export const inTurn = work => { const next = queue.then(work, work); queue = next.catch(() => {}); return next; };
 
 export const edit = (operations, about = "") => {
   const version = seen();
