@@ -46,6 +46,13 @@ def test_letters_keep_apart(everything: Path, document: str) -> None:
     assert seen > 10_000
 
 
+def test_no_column_of_solutions_reaches_into_the_foot(everything: Path) -> None:
+    """The text ends 16 mm above the lower edge, descenders a little lower; the words of the foot lie below 11.6 mm."""
+    for number, page in enumerate(page_letters(everything / "solutions.pdf"), start=1):
+        low = (page.boxes[:, 3] > 11.6 * MILLIMETRE) & (page.boxes[:, 1] < 14.6 * MILLIMETRE)
+        assert [page.around(int(one)) for one in low.nonzero()[0]] == [], f"page {number}: letters in the foot"
+
+
 def test_pages_of_solutions_are_filled(everything: Path) -> None:
     depths = []
     for page in page_letters(everything / "solutions.pdf"):
