@@ -26,8 +26,8 @@ def in_language(text: str, language: str) -> str:
     if said:
         return _RUSSIAN_GOT.format(in_language(said[1], language), said[2])
     said = _VALUE.fullmatch(text)  # a mistake with the value in its message
-    if said and (told := in_language(said[1], language)) != said[1]:
-        return told + said[2]
+    if said and (spoken := in_language(said[1], language)) != said[1]:
+        return spoken + said[2]
     for pattern, words in _messages(language):
         if found := pattern.fullmatch(text):
             return words.format(*found.groups())

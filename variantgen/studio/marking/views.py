@@ -41,7 +41,7 @@ class MarkWords:
         self.marking = self.language.words("marking")
         self._name = language
 
-    def told(self, message: str, names: Mapping[str, str]) -> str:
+    def explained(self, message: str, names: Mapping[str, str]) -> str:
         """A message of the program; ``names`` are those that files came with, by those that messages have."""
         message = in_language(message, self._name)
         message = _PLACE.sub(lambda found: in_language(found[0], self._name), message)
@@ -225,7 +225,7 @@ def class_view(found: MarkedClass, words: MarkWords, names: Mapping[str, str]) -
             for own in facts.problems
         ],
         "left": [
-            {"text": item.text, **{name: words.told(getattr(item, name), names) for name in ("where", "why", "remedy")}}
+            {"text": item.text, **{name: words.explained(getattr(item, name), names) for name in ("where", "why", "remedy")}}
             for item in found.marked.not_matched[:_LISTED]
         ],
         "policy": policy_fields(found.policy),

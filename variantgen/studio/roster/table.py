@@ -106,7 +106,10 @@ class ClassTables:
         return hashlib.sha256(" ".join(file_hash(path) for path in own).encode()).hexdigest()[:_KEY]
 
     def take(self, key: str) -> None:
-        """Let the table of a key be the one that was brought, or none for ''; the one before is kept."""
+        """Let the table of a key be the one that was brought, or none for ''; the one before is kept.
+
+        Raises InputError for an unknown key.
+        """
         place = self._place("uploads")
         if key and (not re.fullmatch(r"[0-9a-f]+", key) or not (place / key).is_file()):
             raise InputError(Problem("there is no such table", remedy="bring it again"))
