@@ -225,7 +225,10 @@ def class_view(found: MarkedClass, words: MarkWords, names: Mapping[str, str]) -
             for own in facts.problems
         ],
         "left": [
-            {"text": item.text, **{name: words.explained(getattr(item, name), names) for name in ("where", "why", "remedy")}}
+            {
+                "text": item.text,
+                **{name: words.explained(getattr(item, name), names) for name in ("where", "why", "remedy")},
+            }
             for item in found.marked.not_matched[:_LISTED]
         ],
         "policy": policy_fields(found.policy),
