@@ -48,7 +48,8 @@ def planted(answer: Answer, name: str, results: OfProblem, siblings: Sequence[An
     for part, value in parts[name].items():
         yield f"component: {part}", value
     for other in siblings:
-        if other.unit.dimension == answer.unit.dimension and other.quantity != answer.quantity:
+        alike = (other.unit.dimension, other.quantity.is_angle) == (answer.unit.dimension, answer.quantity.is_angle)
+        if alike and other.quantity != answer.quantity:
             yield "other_answer", answer.unit.from_si(other.value * other.unit.size)
     yield "rounding", answer.value + 2.0 * width_of(answer)
 

@@ -108,14 +108,13 @@ def _every(answer: Answer, around: Comparisons) -> Iterator[tuple[str, str, floa
     for factor in _UNITS.get(dimension, ()):
         for other in (factor, 1 / factor):
             yield "unit", "", right * other
-    if is_angle:
-        return
-    metres = _METRES.get(dimension[0], ())
-    for power in _POWERS:
-        factor = 10.0**power
-        name = "unit" if factor in metres or 1 / factor in metres else "power_of_ten"
-        yield name, "", right * factor
-        yield name, "", -right * factor
+    if not is_angle:
+        metres = _METRES.get(dimension[0], ())
+        for power in _POWERS:
+            factor = 10.0**power
+            name = "unit" if factor in metres or 1 / factor in metres else "power_of_ten"
+            yield name, "", right * factor
+            yield name, "", -right * factor
     for name, sibling in around.siblings.items():
-        if sibling.unit.dimension == dimension:
+        if sibling.unit.dimension == dimension and sibling.quantity.is_angle == is_angle:
             yield "other_answer", name, answer.unit.from_si(sibling.value * sibling.unit.size)
