@@ -13,6 +13,7 @@ from variantgen.errors import InputError
 from variantgen.families.asking import read_ask
 from variantgen.families.load import read_family
 from variantgen.outputs.single.explanation import explain
+from variantgen.single import one_variant
 from variantgen.variants.only_variant import only_variant
 from variantgen.variants.variant import Variant, solve_variants
 
@@ -244,3 +245,11 @@ def test_a_turn_is_cheap() -> None:
     for quantity in asked:
         quantity.value(motion)
     assert time.process_time() - start < 100 * 0.005
+
+
+def test_the_distance_of_the_guide_is_not_named_after_a_link_as_long() -> None:
+    variant = one_variant("limit_positions", form="slider", fixed={"OA": 24, "e": 24, "AB": 78})
+    text = " ".join(str(explain(variant, "en")).split())
+    # 78 + 24 and 78 - 24
+    assert "passes O at the distance e." in text
+    assert "s_B = √(OB_1^2 − e^2) − √(OB_2^2 − e^2) = √(102^2 − 24^2) − √(54^2 − 24^2) = 50.76 cm" in text

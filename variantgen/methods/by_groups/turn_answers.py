@@ -8,6 +8,7 @@ its limit positions where it touches the circle of the pin.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import permutations
 
 from variantgen.algebra.expression import Applied, Constant, Expression, Pi, Ratio, SquareRoot, Value
 from variantgen.algebra.name import Name
@@ -156,7 +157,10 @@ def _offset(book: Book, found: _Limits) -> Value | None:
     size = abs(((now.z[found.pivot] - now.z[found.end]) * ray.conjugate()).imag)
     if size <= CLOSE * task.size:
         return None
-    named = [v for v in task.given.values() if v.measure == "length" and abs(v.exact - size) <= CLOSE * size]
+    # A link may be as long as the distance is.
+    links = {first + last for members in task.scene.bodies.values() for first, last in permutations(members, 2)}
+    lengths = [value for name, value in task.given.items() if value.measure == "length" and name not in links]
+    named = [value for value in lengths if abs(value.exact - size) <= CLOSE * size]
     name = Name("offset", found.pivot)
     return named[0] if named else book.values.setdefault(name, Value(name, "length", size))
 
