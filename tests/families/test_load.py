@@ -154,7 +154,7 @@ def test_folders_are_given_as_paths_or_texts(tmp_path: Path) -> None:
         (CRANK + "[parameters]\nR = { unit = 'cm', from = 1, to = 5, step = 0 }\n", ["parameters.R", "step"]),
         (CRANK + "[parameters]\nR = { unit = 'cm', from = 1, to = 5 }\n", ["parameters.R.step: missing"]),
         (CRANK + "[parameters]\nR = { unit = 'cm', from = 1, to = 1e9, step = 1 }\n", ["parameters.R", "larger step"]),
-        (CRANK + "[parameters]\nR = { unit = 'cm', from = 1, to = inf, step = 1 }\n", ["R.to", "ordinary size"]),
+        (CRANK + "[parameters]\nR = { unit = 'cm', from = 1, to = inf, step = 1 }\n", ["R.to", "finite number"]),
         (CRANK + "[parameters]\nR = { unit = 'cm', values = [] }\n", ["parameters.R.values", "list of numbers"]),
         (CRANK + "[parameters]\nR = { choices = {} }\n", ["parameters.R.choices", "number for each word"]),
         (CRANK + "[parameters]\n'a b' = { unit = 'cm', values = [1] }\n", ["letter followed by letters", "a b"]),
