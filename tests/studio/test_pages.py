@@ -266,7 +266,7 @@ def test_a_family_is_written_and_used(visit: Open) -> None:
     (home / "family.toml").write_text(text.replace("own problem", "a book"), "utf-8")
     file.fill(text.replace("from = 10, to = 40", "from = 12, to = 12"))
     page.get_by_text("was changed by another program").wait_for()
-    assert "a book" in page.locator("#oops pre").inner_text()
+    assert "a book" in page.locator("#both pre").inner_text()
     page.get_by_role("button", name="Keep mine").click()
     expect(given).to_contain_text(re.compile("OA\\s=\\s12\\scm"))
     page.get_by_role("button", name="Into the exam").click()
