@@ -71,4 +71,4 @@ def test_what_is_not_there_is_said(client: Asking, path: str) -> None:
 def test_a_sheet_of_the_exam_is_played(client: Asking) -> None:
     found = client.get("/exam/motion/1/2").json()
     assert found["label"] == "Problem 1, Variant 2" and found["before"] == "/exam/motion/1/1"
-    assert found["command"].endswith("exam.toml --student 2")
+    assert found["command"].endswith("exam.toml --student 2 --problem 1 --motion motion.pdf")
