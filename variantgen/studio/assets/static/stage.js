@@ -29,11 +29,11 @@ export class Stage {
     place.setAttribute("viewBox", data.box.join(" "));
     const pens = data.pens.map(drawn), driver = svg("path", { class: "driver" }), front = data.pens.findIndex(pen => pen.layer > 3);
     const body = data.driver.length ? [...pens.slice(0, front < 0 ? pens.length : front), driver, ...(front < 0 ? [] : pens.slice(front))] : pens;
-    const names = data.names.map(one => lettered(one.text, ""));
+    const names = data.names.map(one => lettered(one.text, "")), faces = data.ground.filter(pen => pen.weight > 0.7).flatMap(pen => segments(pen.d));
     this.changes.push(i => {
       pens.forEach((pen, k) => pen.setAttribute("d", data.frames[i][k]));
       if (data.driver.length) driver.setAttribute("d", data.driver[i]);
-      this.letters.clear(data.frames[i].filter((_, k) => data.pens[k].layer > 0).flatMap(segments));
+      this.letters.clear([...faces, ...data.frames[i].flatMap(segments)]);
     });
     const vectors = kind => data[kind].vectors.map(one => this.vector(one, KINDS[kind]));
     place.replaceChildren(heads(), ...data.ground.map(drawn),
@@ -75,12 +75,12 @@ export class Stage {
   plan(kind, title, label) {
     const { vectors, edges } = this.data[kind], whole = vectors.filter(one => one.end), parts = vectors.filter(one => one.start), short = KINDS[kind];
     const joined = edges.map(() => svg("line")), lines = vectors.map(one => arrow(one.kind || short)), carried = parts.map(() => arrow(short));
-    const ends = whole.map(one => lettered(one.end, "")), pole = svg("circle", { r: 1.5 }), letters = new Letters([-58, -58, 116, 116], 1.9);
+    const ends = whole.map(one => lettered(one.end, "")), pole = svg("circle", { r: 1.5 }), letters = new Letters([-58, -58, 116, 116], 2.4);
     const arrows = [...vectors.map((one, k) => [lines[k], i => one.start?.[i] ?? [0, 0], i => one.by[i]]), ...parts.map((one, k) => [carried[k], () => [0, 0], i => one.start[i]])];
     this.changes.push(i => {
       const seen = arrows.map(([line, from, by]) => ({ line, from: from(i), by: by(i) })).filter(one => { const yes = Boolean(one.by && one.from); show(one.line, yes); return yes; });
       const x = [0, ...seen.map(one => one.from[0] + one.by[0])], y = [0, ...seen.map(one => one.from[1] + one.by[1])];
-      const [left, right, top, low] = [Math.min(...x), Math.max(...x), Math.min(...y), Math.max(...y)], most = Math.max(right - left, low - top), scale = most > 0.3 ? 84 / most : 0;
+      const [left, right, top, low] = [Math.min(...x), Math.max(...x), Math.min(...y), Math.max(...y)], most = Math.max(right - left, low - top), scale = most > 0.3 ? 82 / most : 0;
       const at = place => [scale * (place[0] - (left + right) / 2), scale * (place[1] - (top + low) / 2)];
       letters.clear([]);
       set(pole, { cx: at([0, 0])[0], cy: at([0, 0])[1] });
