@@ -17,7 +17,6 @@ Open = Callable[..., Visit]
 NAMES = ("choose", "compose", "roster", "build", "mark", "play", "author")
 PAGES = ("/?all", *(f"/exam/{name}" for name in NAMES))
 
-
 # In how many of the positions of a motion do names in the figure cover each other?
 _COVERED = """() => {
   const slider = document.getElementById("drive");
@@ -25,10 +24,12 @@ _COVERED = """() => {
   for (let at = 0; at <= slider.max; at += 5) {
     slider.value = at;
     slider.dispatchEvent(new Event("input", { bubbles: true }));
-    const boxes = [...document.querySelectorAll("#scene .name")].map(name => name.getBoundingClientRect()).filter(box => box.width);
+    const names = [...document.querySelectorAll("#scene .name")].map(name => name.getBoundingClientRect());
+    const boxes = names.filter(box => box.width);
     if (boxes.length < 6) return 1000;
-    const inside = (a, b) => a.left + 1 < b.right && b.left + 1 < a.right && a.top + 1 < b.bottom && b.top + 1 < a.bottom;
-    found += boxes.some((a, i) => boxes.slice(i + 1).some(b => inside(a, b)));
+    const across = (a, b) => a.left + 1 < b.right && b.left + 1 < a.right;
+    const covers = (a, b) => across(a, b) && a.top + 1 < b.bottom && b.top + 1 < a.bottom;
+    found += boxes.some((a, i) => boxes.slice(i + 1).some(b => covers(a, b)));
   }
   return found;
 }"""
