@@ -143,19 +143,19 @@ class Moving:
         frames = [[*moving_ground(one, ground), *lines] for lines, one in drawn]
         return [*ground, *bases], frames, list(drawing.labels), paper
 
-    def names(self, labels: Sequence[Label], paper: Paper) -> list[tuple[Formula, ComplexField]]:
-        """The names of points among ``labels``, and where they stand in all positions (u), shape (K,) each.
+    def names(self, labels: Sequence[Label], paper: Paper) -> list[tuple[Formula, ComplexField, ComplexField]]:
+        """The names of points among ``labels``, where the points are in all positions and where the names stand (u).
 
         Those of moving points keep off the links; those of points at rest stay where they are.
         """
         named = {self.language.symbol(name, self.variant.form.symbols): name for name in self.motion.z}
-        found: list[tuple[Formula, ComplexField]] = []
+        found: list[tuple[Formula, ComplexField, ComplexField]] = []
         for label in labels:
             name = next((name for symbol, name in named.items() if symbol == label.formula), None)
-            if name in self.paths:
-                found.append((label.formula, paper.at(self.motion.z[name]) + _BESIDE * self._free_side(name)))
-            elif name is not None:
-                found.append((label.formula, np.full(self.motion.size, label.at)))
+            if name is not None:
+                at = paper.at(self.motion.z[name])
+                beside = at + _BESIDE * self._free_side(name) if name in self.paths else np.full_like(at, label.at)
+                found.append((label.formula, at, beside))
         return found
 
     def _free_side(self, name: str) -> ComplexField:
