@@ -33,7 +33,7 @@ class Linkage:
 
     @property
     def translating(self) -> frozenset[str]:
-        """Bodies that a single joint keeps from turning, and those with a sleeve on one of them that does not swivel."""
+        """Bodies that a single joint keeps from turning, and sleeves on one of them that do not swivel."""
         shapes = [shape for joint in self.scene.joints for shape in joint.shapes() if not shape.points]
         held = {body for shape in shapes if len(shape.bodies) == 1 for body in shape.bodies}
         sleeves = [(j.sleeve, j.body) for j in self.scene.joints if isinstance(j, Slot) and j.sleeve is not None]
