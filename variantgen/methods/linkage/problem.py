@@ -89,7 +89,7 @@ class Task:
         """Points and bodies that lead to what is asked."""
         return needed_for(self.form, self.sought)
 
-    @property
+    @cached_property
     def accelerated(self) -> Needed:
         """Points and bodies that lead to the accelerations that are asked."""
         return needed_for(self.form, tuple(quantity for quantity in self.sought if quantity.order == 2))
@@ -124,7 +124,7 @@ class Task:
         """The largest velocity of the mechanism, in printed units."""
         return max((abs(v) for v in self.now.v.values()), default=0.0)
 
-    @property
+    @cached_property
     def largest_acceleration(self) -> float:
         """The natural scale of accelerations, in printed units: the largest one, or what its speeds tell of them."""
         steady = self.largest_speed**2 / self.size if self.size else 0.0  # without acceleration only rounding
