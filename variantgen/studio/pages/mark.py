@@ -170,6 +170,16 @@ async def sheet(request: Request) -> Response:
     return JSONResponse({"name": name, "pages": pages})
 
 
+async def lost(request: Request) -> Response:
+    """The picture of a page that could not be read."""
+    _, marked = _marking(request)
+    found = await run_in_threadpool(marked.current)
+    number = number_of(request.path_params["number"], "page", 0, 100_000)
+    if number >= len(found.lost) or not found.lost[number].picture:
+        raise UnknownKeyError("page")
+    return Response(found.lost[number].picture, media_type="image/png")
+
+
 async def picture(request: Request) -> Response:
     """The picture of an answer on a scan."""
     _, marked = _marking(request)
@@ -222,6 +232,15 @@ def _listing(request: Request, folder: MarkingFolder, found: MarkedClass, langua
         "questions": questions(found),
         "files": files,
         "faults": faults,
+        "lost": [
+            {
+                "where": words.explained(page.where, names),
+                "why": words.explained(page.why, names),
+                "picture": bool(page.picture),
+            }
+            for page in found.lost
+        ],
+        "binned": [{"kept": kept, "name": name} for kept, name in folder.binned()],
         "left": len(found.marked.not_matched),
         "doubts": len(found.doubtful),
         "handed_in": handed_in,
@@ -285,4 +304,5 @@ ROUTES = [
     Route("/{exam}/mark/result/{number}", result),
     Route("/{exam}/mark/sheet", sheet),
     Route("/{exam}/mark/picture", picture),
+    Route("/{exam}/mark/lost/{number}", lost),
 ]
