@@ -29,7 +29,7 @@ VERDICTS = ("right", "follow_through", "wrong", "blank", "unreadable")
 RULES = ("sign", "power_of_ten", "unit", "rounding", "component", "mistake", "other_answer")  # shares that are shown
 _LISTED = 300
 _BANDS = 10
-_PLACE = re.compile(r", (?:worksheet .{1,31}, )?row \d+")
+_PLACE = re.compile(r", (?:worksheet .{1,31}, )?(?:row|page) \d+")
 _FILE = re.compile(r"\b(?:answers|typed|review)-\d+\.\w+")
 
 

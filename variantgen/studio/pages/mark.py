@@ -16,7 +16,7 @@ from starlette.routing import Route
 from variantgen.errors import InputError, Problem
 from variantgen.studio.builds import FinishedBuild
 from variantgen.studio.frame import command, language_of, part, render
-from variantgen.studio.messages import error_text
+from variantgen.studio.messages import command_text, error_text
 from variantgen.studio.pages.archive import run_command
 from variantgen.studio.preview import KINDS
 from variantgen.studio.requests import document_of, number_of, read_json, save_upload, studio_of, text_of
@@ -137,7 +137,7 @@ async def write(request: Request) -> Response:
     words = words_of_command(studio_of(request), folder)
     code, _, said = await run_command(*words)
     if code:
-        raise InputError(Problem(said.decode("utf-8", "replace").strip()[-600:]))
+        raise InputError(Problem(command_text(said.decode("utf-8", "replace"), language_of(request))[-600:]))
     files = [path.name for path in folder.result()]
     return JSONResponse({"files": files, "command": command_of(studio_of(request), folder)})
 
