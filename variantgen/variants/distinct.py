@@ -151,11 +151,7 @@ def _runs(keys: NDArray[np.uint64]) -> Iterator[NDArray[np.intp]]:
 
 def _crowds(first: Traits) -> set[int]:
     """The rooms in which the first draws lie too close together to be kept apart."""
-    return {
-        int(first.room[members[0]])
-        for members in _runs(first.room)
-        if _is_crowd(first.place[members])
-    }
+    return {int(first.room[members[0]]) for members in _runs(first.room) if _is_crowd(first.place[members])}
 
 
 def _near(found: Traits, crowds: set[int]) -> dict[int, list[int]]:
