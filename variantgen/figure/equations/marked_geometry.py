@@ -119,7 +119,8 @@ def _draw_sides(board: MotionBoard, key: str, corner: Corner) -> None:
     for side in corner.sides:
         way = side / abs(side)
         if sketch.is_taken(key, side, math.radians(2)):
-            gaps = distances_to_segments(sketch.at[key] + _ON_SIDE * way, drawn[:, :1], drawn[:, 1:])
+            places = np.asarray(sketch.at[key] + _ON_SIDE * way, dtype=np.complex128)
+            gaps = distances_to_segments(places, drawn[:, :1], drawn[:, 1:])
             seen = bool(np.all(gaps.min(axis=0) < _ON_LINE))
         else:
             seen = False
