@@ -81,6 +81,26 @@ def test_pages(ending, exam, tmp_path, capsys):
     assert f"written: {goal}" in capsys.readouterr().err
 
 
+def test_the_motion_of_a_problem(exam, tmp_path, capsys):
+    """It is that of the sheet: the title and the student stand on it; another sheet moves in another way."""
+    made = []
+    for student in ("1", "2"):
+        goal = tmp_path / f"{student}.svg"
+        assert main(["show", str(exam), "--student", student, "--problem", "2", "--motion", str(goal)]) == 0
+        assert capsys.readouterr().out == ""
+        made.append(goal.read_bytes())
+    assert made[0] != made[1]
+    for wrong, said in (
+        (["--problem", "3", "--motion", "x.svg"], "the sheet has problems 1 to 2"),
+        (["--problem", "0", "--motion", "x.svg"], "the sheet has problems 1 to 2"),
+        (["--problem", "2"], "add --motion FILE"),
+    ):
+        assert main(["show", str(exam), *wrong]) == 2
+        assert said in capsys.readouterr().err
+    assert main(["show", "rolling_wheel", "--problem", "1", "--motion", "x.svg"]) == 2
+    assert "--problem" in capsys.readouterr().err
+
+
 def test_a_picture_for_each_page(tmp_path, capsys):
     goal = tmp_path / "page.png"
     assert main(["show", "sample_en", "--explain", "--out", str(goal)]) == 0

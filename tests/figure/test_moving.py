@@ -77,6 +77,35 @@ def test_a_film_keeps_scale_and_place(family: str) -> None:
     assert widest < 0.5 * abs(high - low)
 
 
+def test_walls_reach_as_far_as_sliders_go() -> None:
+    figure, instant = moving("slider_crank")
+    resting, _, _, paper = figure.film(range(91), instant)
+    places = paper.at(figure.motion.z["B"])
+    way = places[np.argmax(places.real + places.imag)] - places[np.argmin(places.real + places.imag)]
+    way /= abs(way)
+    along = [
+        sorted((point * way.conjugate()).real for point in line.points)
+        for line in resting
+        if isinstance(line, Path) and line.layer == Layer.GROUND and len(line.points) == 2
+        if abs(((line.points[1] - line.points[0]) * way.conjugate()).imag) < 1e-6
+    ]
+    low, high = max(along, key=lambda ends: ends[1] - ends[0])
+    every = (places * way.conjugate()).real
+    assert low < every.min() - 2 and high > every.max() + 2
+    assert high - low < np.ptp(every) + 25  # and not much farther
+
+
+def test_a_slot_in_a_moving_body_moves() -> None:
+    """The middle of the arc of a yoke is a point of it."""
+    figure, instant = moving("arc_yoke")
+    indices = range(0, 91, 9)
+    resting, frames, _, paper = figure.film(indices, instant)
+    assert not any(isinstance(line, Arc) and line.layer == Layer.GROUND for line in resting)
+    for index, lines in zip(indices, frames, strict=True):
+        centres = {rounded(line.centre) for line in lines if isinstance(line, Arc) and line.layer == Layer.GROUND}
+        assert centres == {rounded(complex(paper.at(figure.motion.z["D"][index : index + 1])[0]))}
+
+
 def test_paths_are_those_of_the_moving_points() -> None:
     figure, _ = moving("four_bar")
     assert set(figure.paths) == {"A", "B"}

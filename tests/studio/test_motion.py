@@ -45,6 +45,23 @@ def test_the_centre_of_a_coupler_is_seen_square_to_its_velocities() -> None:
     assert seen > 300
 
 
+def test_parts_of_a_motion_along_a_rocker_lead_from_its_own_to_the_whole() -> None:
+    """Square to the slot, which leads to the pivot, is the motion of the rocker, along it that of the block."""
+    found = played("quick_return_shaper")
+    for kind, names in (("velocities", ["rel"]), ("accelerations", ["cor", "rel"])):
+        vectors = found[kind]["vectors"]
+        chain = [next(one for one in vectors if one["kind"] == name) for name in names]
+        whole = next(one for one in vectors if not one["kind"] and one["at"] == chain[0]["at"])
+        for i in range(0, len(found["frames"]), 7):
+            ends = [complex(*chain[0]["start"][i])]
+            for one in chain:
+                assert abs(complex(*one["start"][i]) - ends[-1]) < 0.03
+                ends.append(ends[-1] + complex(*one["by"][i]))
+            assert abs(ends[-1] - complex(*whole["by"][i])) < 0.05
+            carried, rel = ends[0] if kind == "velocities" else ends[1] - ends[0], complex(*chain[-1]["by"][i])
+            assert abs((carried.conjugate() * rel).real) <= 0.02 * (abs(carried) + abs(rel) + 1)
+
+
 def test_way_and_frames_have_one_length() -> None:
     found = played("wheel_with_rod")
     size = len(found["way"]["values"])
@@ -71,4 +88,4 @@ def test_what_is_not_there_is_said(client: Asking, path: str) -> None:
 def test_a_sheet_of_the_exam_is_played(client: Asking) -> None:
     found = client.get("/exam/motion/1/2").json()
     assert found["label"] == "Problem 1, Variant 2" and found["before"] == "/exam/motion/1/1"
-    assert found["command"].endswith("exam.toml --student 2")
+    assert found["command"].endswith("exam.toml --student 2 --problem 1 --motion motion.pdf")

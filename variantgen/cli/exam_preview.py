@@ -15,13 +15,14 @@ from variantgen.errors import InputError, Problem
 if TYPE_CHECKING:
     from variantgen.exam.exam_file import Exam
     from variantgen.exam.roster import Student
+    from variantgen.exam.sheets import Sheet
 
 # What the exam file says: the options of one problem have no meaning for a sheet.
 _OF_A_FAMILY = (
-    "set", "range", "form", "ask", "nice", "units", "lang", "motion", "figure", "method", "depth", "notation",
+    "set", "range", "form", "ask", "nice", "units", "lang", "figure", "method", "depth", "notation",
     "view", "true_scale",
 )  # fmt: skip
-_OF_AN_EXAM = ("student", "roster")
+_OF_AN_EXAM = ("student", "roster", "problem")
 _FIRST = "1"  # the student of a class that nobody has named
 
 
@@ -35,6 +36,12 @@ def add_students(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--roster", type=Path, metavar="FILE", help="of an exam: the class list, CSV or XLSX, as for  variantgen build"
+    )
+    parser.add_argument(
+        "--problem",
+        type=int,
+        metavar="N",
+        help="of an exam, with --motion: the number of the problem that moves (default: 1)",
     )
 
 
@@ -75,9 +82,14 @@ def check_options(arguments: argparse.Namespace, of_an_exam: bool) -> None:
     names, reason, remedy = _OF_AN_EXAM, "only has a meaning for an exam", "give the file of an exam, or leave it out"
     if of_an_exam:
         names, reason, remedy = _OF_A_FAMILY, "has no meaning for an exam: its file says it", "change the file"
-    given = [f"--{name.replace('_', '-')}" for name in names if getattr(arguments, name)]
+    values = {name: getattr(arguments, name) for name in names}
+    given = [
+        f"--{name.replace('_', '-')}" for name, value in values.items() if value or (value == 0 and value is not False)
+    ]
     if given:
         raise InputError([Problem(reason, key=option, remedy=remedy) for option in given])
+    if arguments.problem is not None and not arguments.motion:
+        raise InputError(Problem("only has a meaning for a motion", key="--problem", remedy="add --motion FILE"))
 
 
 def show_exam(arguments: argparse.Namespace, path: Path) -> None:
@@ -96,11 +108,27 @@ def show_exam(arguments: argparse.Namespace, path: Path) -> None:
         exam = replace(exam, solutions=replace(exam.solutions, depth="full"))
     students, place = _chosen(arguments, exam)
     sheet = one_sheet(exam, students, place)
+    if arguments.motion:
+        _write_motion(arguments, exam, sheet)
     if arguments.out:
         for written in write_sheet(exam, sheet, arguments.out, arguments.explain):
             tell(f"written: {written}")
-    else:
+    elif not arguments.motion:
         say(plain_sheet(exam, sheet, arguments.explain))
+
+
+def _write_motion(arguments: argparse.Namespace, exam: Exam, sheet: Sheet) -> None:
+    """Plots of the motion of one problem of the sheet."""
+    from variantgen.outputs.single.motion_plot import write_motion
+
+    number = 1 if arguments.problem is None else arguments.problem
+    if not 1 <= number <= len(sheet.items):
+        count = f"the sheet has problems 1 to {len(sheet.items)}"
+        raise InputError(Problem("there is no such problem", key="--problem", value=str(number), remedy=count))
+    item, student = sheet.items[number - 1], sheet.student
+    remark = f"{exam.title}  ·  {student.name or student.id}  ·  {number}"
+    write_motion(item.variant, item.asked, exam.language, arguments.motion, remark)
+    tell(f"written: {arguments.motion}")
 
 
 def _chosen(arguments: argparse.Namespace, exam: Exam) -> tuple[Sequence[Student], int]:

@@ -23,10 +23,11 @@ from variantgen.methods.hand.work import work_of
 from variantgen.methods.linkage.problem import task_of
 from variantgen.synthesis.compose import MOST_TRIES, compose
 from variantgen.synthesis.statement_text import composed_languages
-from variantgen.synthesis.structures import Structure
+from variantgen.synthesis.structures import Structure, moving_links
 from variantgen.variants.draw import draw
 from variantgen.variants.variant import Variant, solve_variants
-from variantgen.wording.language import load_language
+from variantgen.wording.formula import to_plain
+from variantgen.wording.language import Language, load_language
 from variantgen.wording.solution.explain import explain
 from variantgen.wording.statement import statement
 
@@ -34,6 +35,7 @@ _LOOKED_AT = 3  # variants whose figures are drawn
 _COUNTED = 15  # variants whose work is counted where it matters
 _ROUGHLY = 1.25  # one variant tells the work so well
 _TRIES = 4  # layouts of a structure whose work matters
+_LINE, _MOST_LINES = 64, {3: 8, 5: 8, 7: 10}  # characters of a line beside a figure; lines by moving links
 _KEY = ("compose", 0)  # in the place of student and problem
 
 
@@ -45,8 +47,8 @@ def _drawn(family: Family, count: int) -> list[Variant]:
 class _Examination:
     """Says what is wrong with a family; ``calculations`` is what a variant of the last one takes."""
 
-    def __init__(self, span: Span | None) -> None:
-        self._span, self.calculations = span, 0
+    def __init__(self, links: int, span: Span | None) -> None:
+        self._most_lines, self._span, self.calculations = _MOST_LINES[links], span, 0
 
     def __call__(self, family: Family) -> str:
         """The work, figures of the statement, figures of the solution; nothing where all is well."""
@@ -62,7 +64,9 @@ class _Examination:
         return next(_faults(variants, motion, asked), "")
 
     def unfit(self, variant: Variant) -> str:
-        """Whether the work of one variant is far from what is wanted."""
+        """Whether the statement of one variant is too long, or its work far from what is wanted."""
+        if any(_lines(variant, load_language(name)) > self._most_lines for name in composed_languages()):
+            return "the statement is too long"
         if self._span is None:
             return ""
         motion = solve_variants([variant], 2)
@@ -72,6 +76,11 @@ class _Examination:
     def _is_outside(self, factor: float) -> bool:
         span = self._span
         return span is not None and not span[0] / factor <= self.calculations <= span[1] * factor
+
+
+def _lines(variant: Variant, language: Language) -> int:
+    text = statement(variant, read_ask(variant.form), language).text
+    return -(-len("".join(part if isinstance(part, str) else to_plain(part) for part in text)) // _LINE)
 
 
 def _calculations(variants: Sequence[Variant], motion: Motion, asked: Sequence[Quantity]) -> int:
@@ -139,7 +148,7 @@ def write(
     a worked case, whose last digits may differ between machines. Raises InputError.
     """
     folder.parent.mkdir(parents=True, exist_ok=True)
-    examination = _Examination(span)
+    examination = _Examination(moving_links(structure), span)
     with tempfile.TemporaryDirectory(dir=folder.parent, prefix=f".{folder.name}-") as scratch:
         made = Path(scratch) / folder.name
         made.mkdir()

@@ -208,12 +208,12 @@ def _crossing(
 
 def _walled(board: Board, arrow: _Wanted, some: _Places) -> NDArray[np.float64] | float:
     """Cost of arrows on the hatched side of a wall."""
-    walls = [(start, end, away) for start, end, away in board.sketch.walls if abs(end - start) >= _LONG_WALL]
+    walls = [wall for wall in board.sketch.walls if abs(wall.end - wall.start) >= _LONG_WALL]
     if not walls:
         return 0.0
     parts = np.array([some.parts(arrow, 0.4), some.parts(arrow, 1.0)])
     costs: NDArray[np.float64] = np.zeros(len(some.tail))
-    for start, end, away in walls:
+    for start, end, away, _ in walls:
         # From the middle of the wall: along it, and behind it.
         seen = (parts - 0.5 * (start + end)) * (1j * away.conjugate())
         behind = (np.abs(seen.real) < 0.5 * abs(end - start)) & (seen.imag > 0.2) & (seen.imag < _BEHIND)

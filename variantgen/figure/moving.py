@@ -13,7 +13,8 @@ from variantgen.errors import InputError
 from variantgen.families.quantities import Quantity
 from variantgen.figure.board import Board
 from variantgen.figure.build import finished, mechanism
-from variantgen.figure.drawing import Arc, Drawing, Label, Layer, Line, Path, Strokes
+from variantgen.figure.drawing import Arc, Drawing, Label, Layer, Line
+from variantgen.figure.ground import Ground, moving_ground, resting_ground, rounded
 from variantgen.figure.sketch import moved
 from variantgen.mechanism.motion import ComplexField, Motion
 from variantgen.mechanism.rows import Placement
@@ -25,7 +26,7 @@ from variantgen.wording.language import Language
 
 _FILM = 72.0  # diagonal of what the mechanism reaches in a film, u
 _BESIDE = 4.6  # between a moving point and its name, u
-_SAME = 1e-4  # distance below which two lines are the same, u
+_SAME = 1e-4  # distance below which two places are the same, u
 
 
 @dataclass(frozen=True)
@@ -96,15 +97,22 @@ class Moving:
         )
         return mechanism(self.variant, one, 0, self.asked, self.language, marks=False, scale=scale)
 
-    def _lines(self, index: int, paper: Paper) -> list[Line]:
-        """The lines of one position without bases, on the paper of another one."""
-        return [moved(line, paper.shift) for line in self._board(index, paper.scale, bases=False).sketch.lines]
+    def _lines(self, index: int, paper: Paper) -> tuple[list[Line], Ground]:
+        """The lines of one position without bases, on the paper of another one; those of the ground for themselves."""
+        sketch = self._board(index, paper.scale, bases=False).sketch
+        lines, by = [moved(line, paper.shift) for line in sketch.lines], paper.shift
+        ground = Ground(
+            [line for line in lines if line.layer == Layer.GROUND],
+            [wall._replace(start=wall.start + by, end=wall.end + by) for wall in sketch.walls],
+            [wall._replace(centre=wall.centre + by) for wall in sketch.round_walls],
+        )
+        return [line for line in lines if Layer.GROUND < line.layer < Layer.MARK], ground
 
     def _may_rest(self, line: Line, index: int, paper: Paper) -> bool:
         """Whether a line that is drawn with the bases of hinges is part of them: no circle about a moving point."""
         places = [complex(paper.at(z[index : index + 1])[0]) for z in self.paths.values()]
         about = isinstance(line, Arc) and any(abs(line.centre - place) < _SAME for place in places)
-        return line.layer != Layer.GROUND and not about
+        return line.layer < Layer.MARK and not about
 
     def corners(self, paper: Paper) -> list[complex]:
         """Lower left and upper right corner (u) of what the mechanism reaches."""
@@ -124,29 +132,30 @@ class Moving:
         drawing = finished(self._board(first, _FILM / abs(high - low)))
         paper = Paper(drawing.scale, drawing.origin)
         last = self._lines(first, paper)
-        known = {_rounded(line) for line in last}
-        bases = [line for line in drawing.lines if _rounded(line) not in known and self._may_rest(line, first, paper)]
-        resting = [line for line in drawing.lines if line.layer == Layer.GROUND] + bases
-        frames: list[list[Line]] = []
+        known = {rounded(line) for line in (*last[0], *last[1].lines)}
+        bases = [line for line in drawing.lines if rounded(line) not in known and self._may_rest(line, first, paper)]
+        drawn = []
         for index in indices:
             with suppress(InputError):
                 last = self._lines(index, paper)
-            frames.append([line for line in last if Layer.GROUND < line.layer < Layer.MARK])
-        return [line for line in resting if line.layer < Layer.MARK], frames, list(drawing.labels), paper
+            drawn.append(last)
+        ground = resting_ground(self._lines(first, paper)[1], [one for _, one in drawn])
+        frames = [[*moving_ground(one, ground), *lines] for lines, one in drawn]
+        return [*ground, *bases], frames, list(drawing.labels), paper
 
-    def names(self, labels: Sequence[Label], paper: Paper) -> list[tuple[Formula, ComplexField]]:
-        """The names of points among ``labels``, and where they stand in all positions (u), shape (K,) each.
+    def names(self, labels: Sequence[Label], paper: Paper) -> list[tuple[Formula, ComplexField, ComplexField]]:
+        """The names of points among ``labels``, where the points are in all positions and where the names stand (u).
 
         Those of moving points keep off the links; those of points at rest stay where they are.
         """
         named = {self.language.symbol(name, self.variant.form.symbols): name for name in self.motion.z}
-        found: list[tuple[Formula, ComplexField]] = []
+        found: list[tuple[Formula, ComplexField, ComplexField]] = []
         for label in labels:
             name = next((name for symbol, name in named.items() if symbol == label.formula), None)
-            if name in self.paths:
-                found.append((label.formula, paper.at(self.motion.z[name]) + _BESIDE * self._free_side(name)))
-            elif name is not None:
-                found.append((label.formula, np.full(self.motion.size, label.at)))
+            if name is not None:
+                at = paper.at(self.motion.z[name])
+                beside = at + _BESIDE * self._free_side(name) if name in self.paths else np.full_like(at, label.at)
+                found.append((label.formula, at, beside))
         return found
 
     def _free_side(self, name: str) -> ComplexField:
@@ -159,18 +168,3 @@ class Moving:
         units = np.array([ray / np.abs(ray) for ray in rays if np.min(np.abs(ray)) > 0] or [np.full(size, -1.0)])
         side = 0.8j * units[0] - np.mean(units, axis=0)
         return np.asarray(side / np.where(np.abs(side) > 0, np.abs(side), 1.0))
-
-
-def _rounded(line: Line) -> tuple[object, ...]:
-    """What two equal lines have in common."""
-
-    def near(place: complex) -> tuple[int, int]:
-        return round(place.real / _SAME), round(place.imag / _SAME)
-
-    match line:
-        case Path(points, layer):
-            return (layer, *(near(point) for point in points))
-        case Strokes(segments, layer):
-            return (layer, *(near(point) for segment in segments for point in segment))
-        case Arc(centre, radius, layer):
-            return (layer, near(centre), near(complex(radius, line.sweep)), near(line.at(0)))

@@ -5,8 +5,8 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import Any
+from dataclasses import dataclass, field, replace
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,13 +26,32 @@ _MOST_STROKES = 400
 _SAGITTA = 0.12  # of the chords that stand for an arc among the obstacles, u
 
 
+class Wall(NamedTuple):
+    """A straight hatched line with the direction (unit) to its hatching; a bearing is as long as it is."""
+
+    start: complex
+    end: complex
+    normal: complex
+    bearing: bool = False
+
+
+class RoundWall(NamedTuple):
+    """A hatched arc: angles in rad; ``outside`` says on which side the hatching is."""
+
+    centre: complex
+    radius: float
+    start: float
+    sweep: float
+    outside: bool
+
+
 @dataclass
 class Sketch:
     """The drawing board. ``at`` holds positions of points in u; ``scale`` is u per metre.
 
     ``beyond`` collects the letters of points that lie outside the paper, though lines lead to them; ``lengthened``
     notes that a vector is longer than to scale, ``rotations`` are the arcs of rotation,
-    ``walls`` the ends of hatched lines with the direction (unit) to their hatching.
+    ``walls`` and ``round_walls`` the hatched lines and arcs.
     """
 
     at: dict[str, complex]
@@ -44,7 +63,8 @@ class Sketch:
     beyond: list[Symbol] = field(default_factory=list)
     lengthened: bool = False
     rotations: list[RotationArc] = field(default_factory=list)
-    walls: list[tuple[complex, complex, complex]] = field(default_factory=list)
+    walls: list[Wall] = field(default_factory=list)
+    round_walls: list[RoundWall] = field(default_factory=list)
     obstacles: Obstacles = field(default_factory=Obstacles)
     _corners: list[complex] = field(default_factory=list)
 
@@ -65,7 +85,7 @@ class Sketch:
         """Draw a circle."""
         self.arc(Arc(centre, radius, layer, weight, fill=fill))
 
-    def hatch(self, start: complex, end: complex, side: complex) -> None:
+    def hatch(self, start: complex, end: complex, side: complex, bearing: bool = False) -> None:
         """Hatch a line on the side that a vector points to: strokes leaning right where the line allows."""
         way = (end - start) / abs(end - start)
         normal = 1j * way if (side * (1j * way).conjugate()).real >= 0 else -1j * way
@@ -78,7 +98,7 @@ class Sketch:
         count = min(_MOST_STROKES, max(2, round(length / _HATCH_STEP)))
         feet = [start + way * (0.3 + length * i / count) for i in range(count + 1)]
         first, last = feet[0], feet[-1]
-        self.walls.append((start, end, normal))
+        self.walls.append(Wall(start, end, normal, bearing))
         outline = [
             (first + stroke, last + stroke),
             (first, first + stroke),
@@ -90,6 +110,7 @@ class Sketch:
     def hatch_arc(self, centre: complex, radius: float, start: float, sweep: float, outside: bool) -> None:
         """Hatch an arc on its outer or inner side: strokes at half a right angle to it."""
         count = min(_MOST_STROKES, max(2, round((radius * sweep - 0.6) / _HATCH_STEP)))
+        self.round_walls.append(RoundWall(centre, radius, start, sweep, outside))
         normal = 1.0 if outside else -1.0
         strokes = []
         for i in range(count):
@@ -152,6 +173,22 @@ class Sketch:
     def label(self, request: LabelRequest) -> None:
         """Ask for a label."""
         self.requests.append(request)
+
+    def copied(self) -> Sketch:
+        """The same on a sheet of its own."""
+        return replace(
+            self,
+            at=dict(self.at),
+            lines=[*self.lines],
+            requests=[*self.requests],
+            busy={point: [*taken] for point, taken in self.busy.items()},
+            symbol_radius=dict(self.symbol_radius),
+            beyond=[*self.beyond],
+            rotations=[*self.rotations],
+            walls=[*self.walls],
+            obstacles=self.obstacles.copied(),
+            _corners=[*self._corners],
+        )
 
     def corners(self) -> tuple[complex, complex]:
         """Lower left and upper right corner of what is drawn so far."""

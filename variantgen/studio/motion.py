@@ -33,9 +33,9 @@ from variantgen.wording.formula import Equation, Measured, Symbol
 from variantgen.wording.html import to_html
 from variantgen.wording.language import load_language
 
-_LONGEST = 22.0  # of a vector, but for a quarter of the positions, where it may grow beyond all bounds, u
+_LONGEST = 18.0  # of a vector, but for a quarter of the positions, where it may grow beyond all bounds, u
 _USUAL = 0.75
-_LONGEST_NOW = 40.0  # at the instant of the problem, u
+_LONGEST_NOW = 28.0  # at the instant of the problem, u
 _SAME = 1e-6  # of the size of the mechanism, or of the largest vector
 _FAR = 2.5  # from the middle of the picture, in its diagonals: centres beyond are not shown
 _MARGIN = 8.0  # about the picture, u
@@ -61,7 +61,9 @@ def motion_of(variant: Variant, asked: Sequence[Quantity], language: str) -> dic
     still, frames, labels, paper = moving.film(range(len(sweep.way)), sweep.instant)
     paths = [paper.at(z) for z in moving.paths.values()]
     ground = [paper.at(z) for z in moving.ground]
-    box = _box(still, [*paths, np.array(moving.corners(paper))])
+    velocities, accelerations = _vectors(subject, paper, "v"), _vectors(subject, paper, "a")
+    ends = [np.array(one["ends"], dtype=np.complex128) for one in (velocities, accelerations)]
+    box = _box(still, [*paths, *ends, np.array(moving.corners(paper))])
     return {
         "title": variant.family.title(language),
         "box": box,
@@ -69,11 +71,14 @@ def motion_of(variant: Variant, asked: Sequence[Quantity], language: str) -> dic
         "bases": _drawn(line for line in still if line.layer != Layer.GROUND),
         **_frames(frames),
         "driver": _driver(subject, frames[sweep.instant], paper),
-        "names": [{"text": lettering(name), "at": _places(z)} for name, z in moving.names(labels, paper)],
+        "names": [
+            {"text": lettering(name), "point": _places(point), "at": _places(z)}
+            for name, point, z in moving.names(labels, paper)
+        ],
         "paths": [_polyline(z) for z in paths],
         "centres": _centres(subject, paper, box),
-        "velocities": _vectors(subject, paper, "v"),
-        "accelerations": _vectors(subject, paper, "a"),
+        "velocities": {"vectors": velocities["vectors"], "edges": velocities["edges"]},
+        "accelerations": {"vectors": accelerations["vectors"], "edges": accelerations["edges"]},
         **_curves(subject),
         "way": _way(subject),
     }
@@ -156,35 +161,44 @@ def _box(lines: Iterable[Line], places: Sequence[ComplexField]) -> list[float]:
 def _vectors(subject: Subject, paper: Paper, kind: str) -> dict[str, Any]:
     """Velocities (``v``) or accelerations (``a``) of the moving points, to one scale, and the plan of them.
 
-    ``edges`` joins the numbers of points of one body, for the plan.
+    ``start`` is where a vector begins in the plan, if not at the pole: the parts of a motion along a moving body follow
+    each other from the end of the transport part to that of the whole. ``edges`` joins the numbers of points of one
+    body, for the plan; ``ends`` (u) is what the picture has to have room for.
     """
     sweep, symbols = subject.driver_sweep.sweep, subject.variant.form.symbols
     motion, clear = sweep.motion, sweep.clear
     table = motion.v if kind == "v" else motion.a
-    found: list[tuple[str, str, str, ComplexField]] = [
-        (point, f"{kind}_{point}", "", table[point]) for point in _telling(subject, table)
-    ]
+    none: ComplexField = np.zeros(len(clear), dtype=np.complex128)
+    found = [(point, f"{kind}_{point}", "", table[point], none) for point in _telling(subject, table)]
     for point, body in sliding_points(motion.scene).items():
         if point in subject.shown:
             parts = relative_motion(motion, point, body)
-            named = {"rel": parts.velocity} if kind == "v" else {"rel": parts.acceleration, "cor": parts.coriolis}
-            found += [(point, f"{kind}_{k}_{point}", k, z) for k, z in named.items() if z is not None]
-    sizes = np.max([np.where(clear, np.abs(z), 0.0) for *_, z in found] or [np.zeros(len(clear))], axis=0)
+            rel, cor = (parts.velocity, none) if kind == "v" else (parts.acceleration, parts.coriolis)
+            if rel is not None and cor is not None:
+                found.append((point, f"{kind}_rel_{point}", "rel", rel, table[point] - rel))
+                if kind == "a":
+                    found.append((point, f"a_cor_{point}", "cor", cor, table[point] - rel - cor))
+    sizes = np.max([np.where(clear, np.abs(one[3]), 0.0) for one in found] or [np.zeros(len(clear))], axis=0)
     usual = float(np.quantile(sizes[clear], _USUAL)) if clear.any() else 0.0
     if not usual:
-        return {"vectors": [], "edges": []}
+        return {"vectors": [], "edges": [], "ends": []}
     scale = min(_LONGEST / usual, _LONGEST_NOW / max(float(sizes[sweep.instant]), 1e-9 * usual))
-    shown = [
-        {
-            "text": lettering(subject.language.symbol(name, symbols)),
-            "end": "" if part else lettering(_small(subject, point)),
-            "kind": part,
-            "at": _places(paper.at(motion.z[point])),
-            "by": _places(np.where(clear, scale * z, np.nan)),
-        }
-        for point, name, part, z in found
-    ]
-    return {"vectors": shown, "edges": _edges(motion.scene.bodies, [point for point, _, part, _ in found if not part])}
+    shown, ends = [], []
+    for point, name, part, z, start in found:
+        at, by = paper.at(motion.z[point]), np.where(clear, scale * z, np.nan)
+        ends += (at + by)[clear & (np.abs(by) <= _LONGEST)].tolist()
+        shown.append(
+            {
+                "text": lettering(subject.language.symbol(name, symbols)),
+                "end": "" if part else lettering(_small(subject, point)),
+                "kind": part,
+                "at": _places(at),
+                "by": _places(by),
+                "start": _places(np.where(clear, scale * start, np.nan)) if part else None,
+            }
+        )
+    edges = _edges(motion.scene.bodies, [point for point, _, part, *_ in found if not part])
+    return {"vectors": shown, "edges": edges, "ends": ends}
 
 
 def _small(subject: Subject, point: str) -> Symbol:

@@ -64,7 +64,8 @@ def _on_block(draft: Draft, link: Link, other: int) -> Attachment:
         along = link.guide + draft.rng.choice((0, 180))
         draft.polar(point, link.start, distance, along, {"angle": f"{along}*deg"})
         draft.joint("translation", body=body)
-        return Attachment(point, "arm_along", facts, link.start)
+        key = "arm_across_slot" if link.noun == "block" else "arm_along"  # the block of a yoke, and a slider
+        return Attachment(point, key, facts, link.start)
     turn = draft.rng.choice((90, -90))
     start, end = link.line
     angle = draft.direction(start, end) + turn
@@ -72,7 +73,7 @@ def _on_block(draft: Draft, link: Link, other: int) -> Attachment:
     slot = next(fields for kind, fields in draft.joints if kind == "slot" and fields["point"] == link.start)
     slot["sleeve"] = body
     if start in draft.hints.get("hidden", ()):
-        return Attachment(point, "arm_across_groove", facts, link.start)
+        return Attachment(point, "arm_across_slot", facts, link.start)
     return Attachment(point, "arm_across", facts | {"bar": start + end}, link.start)
 
 

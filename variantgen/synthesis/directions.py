@@ -34,7 +34,7 @@ def way(draft: Draft, at: str, new: str, far: str, words: float = 0.55) -> tuple
     size, turn = draft.rng.choice(_MARKED), draft.rng.choice((1, -1))
     name = draft.angle(size, at, far, new)
     fields = {"towards": far, "angle": f"{'' if turn > 0 else '-'}{name}"}
-    return base + turn * size, fields, [("angle", {"angle": name, "corner": far + at + new})]
+    return base + turn * size, fields, [("angle", {"angle": name, "one": at + far, "other": at + new})]
 
 
 def between(one: float, other: float) -> float:

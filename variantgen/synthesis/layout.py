@@ -50,7 +50,7 @@ def _crank(rng: Chance, only_slid_on: bool) -> Draft:
     draft.data["omega_OA"] = Datum("rad/s", rng.choice((2, 2.5, 3, 3.5, 4)), 0.5, 1)
     draft.polar("A", "O", "OA", angle, {"angle": "phi"})
     draft.marks.append({"name": "phi", "at": "O", "from": "+x", "to": "A"})
-    draft.bar(CRANK, "link", "O", "A", () if only_slid_on else ("A",))
+    draft.bar(CRANK, "driver", "O", "A", () if only_slid_on else ("A",))
     return draft
 
 

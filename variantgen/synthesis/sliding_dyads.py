@@ -144,5 +144,6 @@ def yoke(draft: Draft, links: tuple[int, int], dyad: AssurGroup, _: dict[int, st
     draft.relative.append(("yoke", {"point": at.point, "block": "block"}))
     draft.links[links[0]] = Link(at.point, noun="block", guide=guide, arm_only=True, mates={dyad.on})
     draft.links[links[1]] = Link(end, noun="yoke", guide=guide, body=body)
-    draft.sentences.append(("yoke", {"point": end, "way": FIXED[guide]} | facts_of(at)))
+    facts = {"point": end, "way": FIXED[guide], "across": FIXED[90 - guide]}
+    draft.sentences.append(("yoke", facts | facts_of(at)))
     draft.asked.append([f"v_{end}", f"v_rel_{at.point}"])

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache
 from typing import Any
 
 from variantgen.resources import languages, templates_dir
-from variantgen.synthesis.draft import Draft, Facts
+from variantgen.synthesis.draft import CRANK, Draft, Facts
 from variantgen.synthesis.family_text import changes_speed
 
-_ONE_BY_ONE = ("angle", "incline", "square", "halfway")
+_ONE_BY_ONE = ("square", "halfway")
 
 
 def composed_languages() -> list[str]:
@@ -31,53 +31,91 @@ def title(language: str, links: int) -> str:
 
 
 def statement_text(draft: Draft, language: str) -> str:
-    """``statement.<language>.j2``: the given motion, dyads in the order of growth, position, relative motion."""
+    """``statement.<language>.j2``: the mechanism in the order of growth, position, given motion, relative motion."""
     words = sentences(language)
-    phrases = words["position"]
-    opening = phrases[draft.opening].format() + phrases["changing" if changes_speed(draft) else "constant"] + "."
-    parts = [opening, *(words["sentences"][key].format(**_filled(facts, words)) for key, facts in draft.sentences)]
-    parts += [phrases["rest"] + rest + "."] if (rest := _position(draft, words)) else []
-    relative = [words["relative"][key].format(**_of_block(facts, words)) for key, facts in draft.relative]
-    text = " ".join(parts) + "".join(relative) + "\n"
-    return text.replace(",,", ",").replace(",.", ".")  # a phrase that ends with a comma, at the end of a clause
+    parts = _mechanism(draft, words)
+    if len(draft.pivots) > 1:
+        parts.append(words["position"]["fixed"].format(names=_joined(draft.pivots, words)))
+    parts.append(_position(draft, words))
+    relative = [words["relative"][key].format(**_forms(facts, words)) for key, facts in draft.relative]
+    return " ".join(parts) + "".join(relative) + "\n"
 
 
-def _of_block(facts: Facts, words: Mapping[str, Any]) -> Facts:
-    """The facts with what a block is called, in the forms that the language has."""
-    forms = {
-        name.replace("blocks", "block"): words[name][facts["block"]] for name in words if name.startswith("blocks")
-    }
-    return {**facts, "slider_of": facts.get("bar", "").removeprefix("slider"), **forms}
+def _mechanism(draft: Draft, words: Mapping[str, Any]) -> list[str]:
+    """A sentence for each dyad, and one for an arm before it; two in a row that begin alike are joined."""
+    found: list[str] = []
+    for place, (key, facts) in enumerate(draft.sentences):
+        for index in ("", "_to"):
+            if facts.get(f"at{index}") in words["arms"]:
+                found.append(words["arms"][facts[f"at{index}"]].format(**_forms(_place(facts, index), words)))
+        at_end = not place and facts.get("at") == "end" and facts["at_link"] == CRANK
+        driven = draft.opening == "driven" and at_end and key in words["driven"]
+        sentence = words["driven" if driven else "sentences"][key]
+        found.append(sentence.format(**_filled(facts, words)))
+    joined = found[:1]
+    for sentence in found[1:]:
+        if sentence.split()[:2] == joined[-1].split()[:2] and ";" not in joined[-1]:
+            joined[-1] = f"{joined[-1][:-1]}; {sentence[0].lower()}{sentence[1:]}"
+        else:
+            joined.append(sentence)
+    return joined
+
+
+def _position(draft: Draft, words: Mapping[str, Any]) -> str:
+    """What the position is given by, and the given motion; links that lie alike stand together."""
+    phrases, said = words["position"], draft.position
+    inclined = [("phi", CRANK), *((facts["angle"], facts["link"]) for key, facts in said if key == "incline")]
+    names, links = (_joined(part, words) for part in zip(*inclined, strict=True))
+    angles = [phrases["incline_one" if len(inclined) == 1 else "incline_many"].format(angles=names, names=links)]
+    angles += [phrases[key].format(**facts) for key, facts in said if key == "angle"]
+    clauses = [phrases[key].format(**facts) for key, facts in said if key in _ONE_BY_ONE]
+    for key in ("level", "upright"):
+        alike = [f["link"] if k == key else f["one"] + f["other"] for k, f in said if k in (key, f"pivots_{key}")]
+        if alike:
+            form = phrases[f"{key}_{'one' if len(set(alike)) == 1 else 'many'}"]
+            clauses.append(form.format(names=_joined(list(dict.fromkeys(alike)), words)))
+    there = _listed(clauses, words)
+    opening = "given" if draft.opening == "given" and not draft.relative else "in_position"  # the shorter one
+    if there:
+        there = f"; {there}" if opening == "given" else f"{there}; "
+    motion = phrases["changing" if changes_speed(draft) else "constant"]
+    return str(phrases[opening].format(angles=_listed(angles, words), clauses=there)) + str(motion) + "."
+
+
+def _joined(names: Sequence[str], words: Mapping[str, Any]) -> str:
+    """Symbols of the template: A, B and C."""
+    return _listed([f"{{{{ {name} }}}}" for name in names], words)
+
+
+def _listed(parts: Sequence[str], words: Mapping[str, Any]) -> str:
+    """Parts with commas between, the last one with "and"."""
+    return str(words["and"]).join(filter(None, (", ".join(parts[:-1]), *parts[-1:])))
+
+
+def _place(facts: Facts, index: str) -> Facts:
+    """What is known of where a hinge is: of the first end ("") or of the other ("_to")."""
+    return {key.removeprefix(f"at{index}_"): value for key, value in facts.items() if key.startswith(f"at{index}_")}
+
+
+def _forms(facts: Facts, words: Mapping[str, Any]) -> Facts:
+    """The facts with what a block, a link, a direction is called, in the forms that the language has."""
+    found = {**facts, "slider_of": facts.get("bar", "").removeprefix("slider")}
+    for fact, table in (("block", "blocks"), ("noun", "nouns"), ("way", "ways"), ("across", "ways")):
+        for name in words:
+            if fact in facts and name.partition("_")[0] == table:
+                found[name.replace(table, fact)] = words[name].get(facts[fact], "")
+    return found
 
 
 def _filled(facts: Facts, words: Mapping[str, Any]) -> Facts:
     """The facts of a sentence with its phrases: ``at`` and ``to`` for hinges, ``on`` for what a block slides on."""
-    found = dict(facts)
+    found = _forms(facts, words)
     for index, field in (("", "at"), ("_to", "to")):
         if f"at{index}" in facts:
-            place = {key.removeprefix(f"at{index}_"): value for key, value in facts.items()}
-            place["noun"] = words["nouns"].get(place.get("noun", ""), "")
-            place |= _of_block(place, words) if "block" in place else {}
-            found[field] = words["places"][facts[f"at{index}"]].format(**place)
+            key = "arm" if facts[f"at{index}"] in words["arms"] else facts[f"at{index}"]
+            place = _forms(_place(facts, index), words)
+            found[field] = words["places"][key].format(**place)
+            found[f"{field}_to"] = words["places_to" if "places_to" in words else "places"][key].format(**place)
     if "bar" in facts:
-        key = "groove" if facts["noun"] == "groove" else "bar"
-        names = {"bar": facts["bar"], "noun": words["nouns"].get(facts["noun"], "")}
-        found["on"] = words["on"][key].format(**names, slider_of=facts["bar"].removeprefix("slider"))
-    if "way" in facts:
-        found["way"] = words["ways"][facts["way"]]
+        found["on"] = words["on"]["groove" if facts["noun"] == "groove" else "bar"].format(**found)
     return found
-
-
-def _position(draft: Draft, words: Mapping[str, Any]) -> str:
-    """What the position is given by besides the driving link; links that lie alike stand together."""
-    phrases = words["position"]
-    parts = [phrases[key].format(**facts) for key, facts in draft.position if key in _ONE_BY_ONE]
-    for key in ("level", "upright"):
-        alike = [
-            f["link"] if k == key else f["one"] + f["other"] for k, f in draft.position if k in (key, f"pivots_{key}")
-        ]
-        names = [f"{{{{ {name} }}}}" for name in dict.fromkeys(alike)]
-        if names:
-            joined = words["and"].join(filter(None, (", ".join(names[:-1]), names[-1])))
-            parts.append(phrases[f"{key}_{'one' if len(names) == 1 else 'many'}"].format(names=joined))
-    return str(phrases["more"]).join(parts)

@@ -31,8 +31,8 @@ _RIGHT = math.radians(0.01)
 MOST_ANGLES = 4  # in a figure
 
 
-def draw_geometry(board: MotionBoard, subject: FigureSubject, symbols: Symbols, most: int, body: str = "") -> None:
-    """Mark what can be seen in the figure, but not more than so many angles.
+def draw_geometry(board: MotionBoard, subject: FigureSubject, symbols: Symbols, most: int, body: str = "") -> int:
+    """Mark what can be seen in the figure, but not more than so many angles; returns how many there are.
 
     ``body`` is that whose centre stands at the place ``centre``.
     """
@@ -67,6 +67,7 @@ def draw_geometry(board: MotionBoard, subject: FigureSubject, symbols: Symbols, 
         sketch.label(along_arc(_name(corner, formulas), at, radius, start, sweep, inner=True))
         for part in (0.0, 0.25, 0.5, 0.75, 1.0):
             sketch.busy.setdefault(key, []).append(start + part * sweep)
+    return len(seen)
 
 
 def _draw_segments(board: MotionBoard, segments: Sequence[tuple[str, str]]) -> None:

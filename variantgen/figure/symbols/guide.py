@@ -53,7 +53,7 @@ def _draw_bearing(board: Board, point: str, way: complex) -> None:
     for side in (1j * way, -1j * way):
         start, end = (centre + sign * (_HALF_LENGTH + 1.0) * way + _HALF_BEARING * side for sign in (-1, 1))
         sketch.path((start, end), Layer.GROUND)
-        sketch.hatch(start, end, side)
+        sketch.hatch(start, end, side, bearing=True)
     for taken in (way, -way):
         sketch.occupy(point, taken)
 

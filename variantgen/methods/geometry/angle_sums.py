@@ -7,6 +7,8 @@ between them is written as what it is: ``phi``, ``90 deg - phi``, ``phi + psi``.
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from variantgen.algebra.expression import Constant, Expression, Ratio, Times, Total, Value
 from variantgen.algebra.name import Name
 from variantgen.methods.geometry.angles import AngleForm, between, form_of, tidy
@@ -20,6 +22,21 @@ def angle_sum(angle: Value) -> AngleForm:
 
     A direction that only the drawing shows and an angle that the sheet prints have nothing but their number.
     """
+    noted = angle.noted
+    if not (isinstance(noted, _Noted) and noted.expression is angle.expression and noted.exact == angle.exact):
+        noted = angle.noted = _Noted(angle.expression, angle.exact, _taken_apart(angle))
+    return noted.form
+
+
+class _Noted(NamedTuple):
+    """What an angle was taken apart into, as long as it has this expression and this number."""
+
+    expression: Expression | None
+    exact: float
+    form: AngleForm
+
+
+def _taken_apart(angle: Value) -> AngleForm:
     kind = "" if angle.name is None else angle.name.kind
     if kind == "parameter" and angle.exact % 90.0 == 0:
         return AngleForm((), angle.exact)

@@ -67,7 +67,8 @@ class PositionLines(Layout):
         if value.expression is not None and not any(isinstance(i, Derived) and i.value is value for i in self.items):
             if value.name is not None and value.name.of not in self.task.given:  # found by a law of time
                 self.say("law_angle", False, angle=value)
-            self.items.append(Derived(value))
+            same = [part for part in parts(value.expression) if part.name == value.name and part.expression]
+            self.items += [*map(Derived, same), Derived(value, symbolic=not same)]
         return value
 
     # Corners of triangles.

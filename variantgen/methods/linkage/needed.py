@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cached_property
+
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.relative import sliding_points
@@ -10,11 +12,15 @@ from variantgen.mechanism.structure import Closure, FreePoint, GivenPoint, Guide
 
 
 def needed_for(form: Form, asked: tuple[Quantity, ...]) -> Needed:
-    """What the asked quantities of a form need; the same for all its variants."""
-    found = Needed(form)
-    for quantity in asked:
-        found.ask(quantity)
-    return found
+    """What the asked quantities of a form need; the same for all its variants, so the form remembers it."""
+    key = ("needed", asked)
+    if key not in form.remembered:
+        found = Needed(form)
+        for quantity in asked:
+            found.ask(quantity)
+        form.remembered[key] = found
+    known: Needed = form.remembered[key]
+    return known
 
 
 class Needed:
@@ -27,9 +33,9 @@ class Needed:
         self._unknowns: set[int] = set()
         self.points: set[str] = set()
 
-    @property
+    @cached_property
     def bodies(self) -> set[str]:
-        """Bodies whose rotation is needed."""
+        """Bodies whose rotation is needed by all that was asked; for readers, who come when everything is."""
         return {body for body, unknown in self._plan.omega.items() if unknown in self._unknowns}
 
     def ask(self, quantity: Quantity) -> None:

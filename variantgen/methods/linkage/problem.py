@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import combinations
+from types import MappingProxyType
 
 from variantgen.algebra.expression import Constant, Expression, Pi, Value
 from variantgen.algebra.name import Name
@@ -88,7 +89,7 @@ class Task:
         """Points and bodies that lead to what is asked."""
         return needed_for(self.form, self.sought)
 
-    @property
+    @cached_property
     def accelerated(self) -> Needed:
         """Points and bodies that lead to the accelerations that are asked."""
         return needed_for(self.form, tuple(quantity for quantity in self.sought if quantity.order == 2))
@@ -123,7 +124,7 @@ class Task:
         """The largest velocity of the mechanism, in printed units."""
         return max((abs(v) for v in self.now.v.values()), default=0.0)
 
-    @property
+    @cached_property
     def largest_acceleration(self) -> float:
         """The natural scale of accelerations, in printed units: the largest one, or what its speeds tell of them."""
         steady = self.largest_speed**2 / self.size if self.size else 0.0  # without acceleration only rounding
@@ -178,12 +179,16 @@ class Task:
         """The value of an expression of the family in SI."""
         return float(expression.value(self.si))
 
-    def expressed(self, expression: FamilyExpression, degrees: bool = False) -> Expression | None:
+    def expressed(
+        self, expression: FamilyExpression, degrees: bool = False, known: Mapping[str, Value] = MappingProxyType({})
+    ) -> Expression | None:
         """An expression of the family as one of the solution, if every part of it can be shown; choices are signs.
 
-        An angle is a plain number, or in ``degrees``.
+        An angle is a plain number, or in ``degrees``; ``known`` quantities are not written out.
         """
-        return self._translator.translate(expression, degrees)
+        if not known:
+            return self._translator.translate(expression, degrees)
+        return replace(self._translator, named=lambda name: known.get(name) or self._named(name)).translate(expression)
 
     def drawn_radius(self, centre: str, exact: float) -> Expression | None:
         """The radius of that length (printed unit) of a disc about a point in the figure; None where there is none."""

@@ -89,10 +89,13 @@ def solved(book: Book, left: Sequence[Term], right: Sequence[Term], wanted: Sequ
     axes = []
     for letter, term in zip(AXES, wanted, strict=False):
         other = next((item for item in free if item is not term), None)
-        axes.append((term, _axis(term, other), other, letter))
-    for term, axis, other, _ in axes:  # an angle has one name on both axes, of which either may be the first to need it
-        named_shares(book, (*left, *right), axis, axis_line(book, term, axis, other), crossed_by(other))
-    return [_projected(book, left, right, *axis) for axis in axes]
+        axis = _axis(term, other)
+        axes.append(((shares(left, axis), shares(right, axis)), term, axis, other, letter))
+    for sides, term, axis, other, _ in axes:
+        line = axis_line(book, term, axis, other)
+        for share in (*sides[0], *sides[1]):  # an angle has one name on both axes, either of which may need it first
+            named(book, share, line, crossed_by(other))
+    return [_projected(book, *axis) for axis in axes]
 
 
 def _axis(term: Term, other: Term | None) -> Value:
@@ -107,11 +110,11 @@ def _axis(term: Term, other: Term | None) -> Value:
 
 
 def _projected(
-    book: Book, left: Sequence[Term], right: Sequence[Term], term: Term, axis: Value, other: Term | None, letter: str
+    book: Book, plain: tuple[tuple[Share, ...], ...], term: Term, axis: Value, other: Term | None, letter: str
 ) -> Value:
-    """Project the equation on an axis and solve it for the one unknown vector that is left."""
+    """Solve an equation that is projected on an axis, ``plain`` by sides, for the one unknown vector that is left."""
     line = axis_line(book, term, axis, other)
-    sides = [named_shares(book, side, axis, line) for side in (left, right)]
+    sides = [tuple(named(book, share, line) for share in side) for side in plain]
     rest: list[tuple[int, Share]] = []
     own: Share | None = None
     for side, items in zip((-1, 1), sides, strict=True):

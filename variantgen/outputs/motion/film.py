@@ -87,7 +87,7 @@ class _Stage:
         draw_lines(self.axes, [line for line in resting if line.layer == Layer.GROUND], self.weight)
         # Bases of hinges are in front of the links that turn about them.
         draw_lines(self.axes, [line for line in resting if line.layer != Layer.GROUND], self.weight, _FRONT)
-        self.names = [(to_mathtext(formula), places) for formula, places in moving.names(labels, paper)]
+        self.names = [(to_mathtext(formula), places) for formula, _, places in moving.names(labels, paper)]
         self.size = min(11.0, max(8.0, 0.95 * LETTER * points_per_unit(self.axes)))
         self.added: list[Any] = []
         shown, _ = panels(subject.variant, subject.driver_sweep, subject.asked, subject.language)

@@ -119,6 +119,7 @@ def _of_problem(studio: Studio, document: Document, problem: int, place: int, la
     item, student = items[problem - 1], everybody[place - 1]
     roster = ["--roster", str(studio.workspace.folder / ROSTER)] if studio.workspace.roster() else []
     file = str(studio.workspace.folder / document.path.name)
+    which = ["--student", str(student.id), "--problem", str(problem)]
     words = page_words(language).of("play")
     return {
         **motion_of(item.variant, item.asked, language),
@@ -126,7 +127,7 @@ def _of_problem(studio: Studio, document: Document, problem: int, place: int, la
             number=problem, student=student.name or words["variant"].format(number=student.id)
         ),
         "address": f"?problem={problem}&student={place}",
-        "command": command("variantgen", "show", file, *roster, "--student", str(student.id)),
+        "command": command("variantgen", "show", file, *roster, *which, "--motion", "motion.pdf"),
         **_beside(f"/{document.key}/motion/{problem}", place, 1, len(everybody)),
     }
 

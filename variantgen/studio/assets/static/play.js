@@ -92,6 +92,7 @@ function layer(button) {
   const yes = button.getAttribute("aria-pressed") !== "true";
   button.setAttribute("aria-pressed", String(yes));
   stage.show(button.dataset.layer, yes);
+  stage.at(position);
 }
 all("[data-layer]").forEach(button => button.addEventListener("click", () => layer(button)));
 const full = () => document.fullscreenElement ? document.exitFullscreen() : page.requestFullscreen?.().catch(complain);

@@ -1,5 +1,7 @@
 // The stage of Play: the figure, vectors, centres, plans and curves of a motion, for a position by its number.
 
+import { Letters, segments } from "./letters.js";
+
 const SVG = "http://www.w3.org/2000/svg";
 const KINDS = { velocities: "vel", accelerations: "acc" };
 export function svg(tag, attributes = {}, ...children) {
@@ -22,24 +24,28 @@ const move = (made, x, y, scale = 1) => made.setAttribute("transform", `translat
 // What changes with the position is a list of functions of its number.
 export class Stage {
   constructor(place, data) {
-    this.data = data; this.layers = {}; this.changes = [];
+    this.data = data; this.layers = {}; this.changes = []; this.letters = new Letters(data.box); this.now = 0;
     const at = (layer, ...parts) => { (this.layers[layer] ??= []).push(...parts); return parts; };
     place.setAttribute("viewBox", data.box.join(" "));
     const pens = data.pens.map(drawn), driver = svg("path", { class: "driver" }), front = data.pens.findIndex(pen => pen.layer > 3);
     const body = data.driver.length ? [...pens.slice(0, front < 0 ? pens.length : front), driver, ...(front < 0 ? [] : pens.slice(front))] : pens;
-    const names = data.names.map(one => lettered(one.text, ""));
+    const names = data.names.map(one => lettered(one.text, "")), faces = data.ground.filter(pen => pen.weight > 0.7).flatMap(pen => segments(pen.d));
     this.changes.push(i => {
       pens.forEach((pen, k) => pen.setAttribute("d", data.frames[i][k]));
       if (data.driver.length) driver.setAttribute("d", data.driver[i]);
-      names.forEach((name, k) => move(name, ...data.names[k].at[i]));
+      this.letters.clear([...faces, ...data.frames[i].flatMap(segments)]);
     });
+    const vectors = kind => data[kind].vectors.map(one => this.vector(one, KINDS[kind]));
     place.replaceChildren(heads(), ...data.ground.map(drawn),
       ...at("paths", ...data.paths.map(d => svg("path", { class: "path", d }))),
       ...at("centres", ...data.centres.map(one => svg("path", { class: "centrode", d: one.path }))),
       ...body, ...data.bases.map(drawn), ...names,
-      ...at("accelerations", ...data.accelerations.vectors.map(one => this.vector(one, "acc"))),
-      ...at("velocities", ...data.velocities.vectors.map(one => this.vector(one, "vel"))),
+      ...at("accelerations", ...vectors("accelerations")), ...at("velocities", ...vectors("velocities")),
       ...at("centres", ...data.centres.map(one => this.centre(one))));
+    this.changes.push(i => {
+      names.forEach((name, k) => this.letters.about(name, data.names[k].point[i], data.names[k].at[i]));
+      this.letters.place();
+    });
   }
   vector(one, usual) {
     const kind = one.kind || usual, line = arrow(kind), name = lettered(one.text, `v-${kind}`), made = svg("g", {}, line, name);
@@ -47,40 +53,61 @@ export class Stage {
       const from = one.at[i], by = one.by[i], length = by ? Math.hypot(...by) : 0;
       show(made, length > 0.6);
       if (length <= 0.6) return;
-      const x = from[0] + by[0], y = from[1] + by[1], off = 4.4 / length;
+      const x = from[0] + by[0], y = from[1] + by[1];
       set(line, { x1: from[0], y1: from[1], x2: x, y2: y });
-      move(name, x + by[0] * off, y + by[1] * off);
+      if (!made.hasAttribute("hidden")) this.letters.along(name, [...from, x, y]);
     });
     return made;
   }
   centre(one) {
-    const name = lettered(one.text, ""), made = svg("g", { class: "centre" }, svg("path", { class: "mark", d: "M-1.4-1.4 1.4 1.4M-1.4 1.4 1.4-1.4" }), name);
-    move(name, 4.5, -3);
-    this.changes.push(i => { const place = one.at[i]; show(made, Boolean(place)); if (place) move(made, ...place); });
+    const mark = svg("path", { class: "mark", d: "M-1.4-1.4 1.4 1.4M-1.4 1.4 1.4-1.4" }), name = lettered(one.text, ""), made = svg("g", { class: "centre" }, mark, name);
+    this.changes.push(i => {
+      const place = one.at[i];
+      show(made, Boolean(place));
+      if (!place) return;
+      move(mark, ...place);
+      if (!made.hasAttribute("hidden")) this.letters.about(name, place, [place[0] + 4.5, place[1] - 3]);
+    });
     return made;
   }
-  // A plan: all vectors from one pole, the ends of points of one body joined; in each position to a scale that fills it.
+  // A plan: all vectors from one pole, the parts of a motion along a moving body one behind the other, the ends of points
+  // of one body joined; in each position to a scale that fills it.
   plan(kind, title, label) {
-    const { vectors, edges } = this.data[kind], whole = vectors.filter(one => one.end), short = KINDS[kind];
-    const joined = edges.map(() => svg("line")), lines = whole.map(() => arrow(short)), ends = whole.map(one => lettered(one.end, ""));
+    const { vectors, edges } = this.data[kind], whole = vectors.filter(one => one.end), parts = vectors.filter(one => one.start), short = KINDS[kind];
+    const joined = edges.map(() => svg("line")), lines = vectors.map(one => arrow(one.kind || short)), carried = parts.map(() => arrow(short));
+    const ends = whole.map(one => lettered(one.end, "")), pole = svg("circle", { r: 1.5 }), letters = new Letters([-58, -58, 116, 116], 2.4);
+    const arrows = [...vectors.map((one, k) => [lines[k], i => one.start?.[i] ?? [0, 0], i => one.by[i]]), ...parts.map((one, k) => [carried[k], () => [0, 0], i => one.start[i]])];
     this.changes.push(i => {
-      const most = Math.max(...whole.map(one => one.by[i] ? Math.hypot(...one.by[i]) : 0));
-      const tips = whole.map(one => one.by[i] && most > 0.3 ? one.by[i].map(value => value * 44 / most) : null);
-      whole.forEach((_, k) => {
-        const tip = tips[k], length = tip ? Math.hypot(...tip) : 0;
-        for (const part of [lines[k], ends[k]]) show(part, length > 1);
-        if (length <= 1) return;
-        set(lines[k], { x1: 0, y1: 0, x2: tip[0], y2: tip[1] });
-        move(ends[k], tip[0] * (1 + 8 / length), tip[1] * (1 + 8 / length), 2.1);
-      });
+      const seen = arrows.map(([line, from, by]) => ({ line, from: from(i), by: by(i) })).filter(one => { const yes = Boolean(one.by && one.from); show(one.line, yes); return yes; });
+      const x = [0, ...seen.map(one => one.from[0] + one.by[0])], y = [0, ...seen.map(one => one.from[1] + one.by[1])];
+      const [left, right, top, low] = [Math.min(...x), Math.max(...x), Math.min(...y), Math.max(...y)], most = Math.max(right - left, low - top), scale = most > 0.3 ? 82 / most : 0;
+      const at = place => [scale * (place[0] - (left + right) / 2), scale * (place[1] - (top + low) / 2)];
+      letters.clear([]);
+      set(pole, { cx: at([0, 0])[0], cy: at([0, 0])[1] });
+      for (const { line, from, by } of seen) {
+        const length = scale * Math.hypot(...by), [[x1, y1], [x2, y2]] = [at(from), at([from[0] + by[0], from[1] + by[1]])];
+        show(line, length > 1);
+        set(line, { x1, y1, x2, y2 });
+        if (length > 1) letters.avoid([x1, y1, x2, y2]);
+      }
       edges.forEach(([a, b], k) => {
-        show(joined[k], tips[a] && tips[b]);
-        if (tips[a] && tips[b]) set(joined[k], { x1: tips[a][0], y1: tips[a][1], x2: tips[b][0], y2: tips[b][1] });
+        const two = [whole[a].by[i], whole[b].by[i]];
+        show(joined[k], two[0] && two[1]);
+        if (!two[0] || !two[1]) return;
+        const [[x1, y1], [x2, y2]] = two.map(at);
+        set(joined[k], { x1, y1, x2, y2 });
+        letters.avoid([x1, y1, x2, y2]);
       });
+      whole.forEach((one, k) => {
+        const yes = Boolean(one.by[i]) && scale * Math.hypot(...one.by[i]) > 1;
+        show(ends[k], yes);
+        if (yes) { const end = at(one.by[i]), from = at([0, 0]), length = Math.hypot(end[0] - from[0], end[1] - from[1]) || 1; letters.about(ends[k], end, [end[0] + 8 * (end[0] - from[0]) / length, end[1] + 8 * (end[1] - from[1]) / length]); }
+      });
+      letters.place();
     });
     const heading = document.createElement("h2"), made = document.createElement("div");
     heading.textContent = title; made.className = "plan";
-    made.append(heading, svg("svg", { viewBox: "-58 -58 116 116", role: "img", "aria-label": label }, heads(), ...joined, ...lines, svg("circle", { r: 1.5 }), ...ends));
+    made.append(heading, svg("svg", { viewBox: "-58 -58 116 116", role: "img", "aria-label": label }, heads(), ...joined, ...carried, ...lines, pole, ...ends));
     (this.layers[kind] ??= []).push(made);
     return made;
   }
@@ -101,5 +128,5 @@ export class Stage {
     return made;
   }
   show(name, yes) { for (const part of this.layers[name] ?? []) part.toggleAttribute("hidden", !yes); }
-  at(i) { for (const change of this.changes) change(i); }
+  at(i) { this.now = i; for (const change of this.changes) change(i); }
 }
