@@ -56,14 +56,14 @@ def _pieces(line: FormulaLine) -> tuple[Pieces, int]:
         own: Pieces = [(sign, formula)]
         letters = _letters(formula)
         if letters > _PIECE and isinstance(formula, Sum) and len(formula.terms) > 1:
-            own = list(terms(sign, formula))
+            own = list(_terms(sign, formula))
             letters = sum(_letters(term) for _, term in own)
         found += own
         length += letters + sum(len(before) + 2 for before, _ in own)
     return found, length
 
 
-def terms(sign: str, formula: Sum) -> Iterator[tuple[str, Formula]]:
+def _terms(sign: str, formula: Sum) -> Iterator[tuple[str, Formula]]:
     """The terms of a sum, the first with the sign of the line, the others with their own.
 
     A term is a sum of itself, so that it has the parentheses that the sum would put.

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from variantgen.outputs.documents.formula_rows import terms
 from variantgen.outputs.typst.markup import TypstMarkup, markup
 from variantgen.wording.formula import (
     Absolute,
@@ -19,6 +18,7 @@ from variantgen.wording.formula.precedence import as_denominator
 
 # What stands in a column without being made smaller than nine tenths of its size (em).
 COLUMN = 23.0
+_SIGNS = {1: "+", -1: "\N{MINUS SIGN}"}
 _FENCES = {"()": ("\\(", "\\)"), "||": ('class("opening", bar.v)', 'class("closing", bar.v)')}
 
 
@@ -31,15 +31,17 @@ def in_the_line(sign: str, formula: Formula) -> list[tuple[str, TypstMarkup, For
     whole, around = _without_modulus(formula)
     if not isinstance(whole, Fraction) or not isinstance(whole.numerator, Sum) or len(whole.numerator.terms) < 2:
         return [(sign, markup(formula), formula)]
-    (_, first), *middle, (before, last) = terms(sign, whole.numerator)
+    start, *middle, (last_sign, end) = whole.numerator.terms
+    first, last = Sum((start,)), Sum(((1, end),))  # sums have the parentheses that terms need
     below = Parenthesised(whole.denominator) if as_denominator(whole.denominator, True) else whole.denominator
     opening, closing = _FENCES[around]
     opened = TypstMarkup(f"{opening} {to_typst(first)}", Number(around[0] + to_plain(first)))
     closed = TypstMarkup(
         f"{to_typst(last)} {closing}\\/{to_typst(below)}", Number(f"{to_plain(last)}{around[1]}/{to_plain(below)}")
     )
-    inner = [(own, markup(term), term) for own, term in middle]
-    return [(sign, opened, first), *inner, (before, closed, Sum(((1, last), (1, below))))]
+    inner = [(_SIGNS[own], Sum(((1, term),))) for own, term in middle]
+    found = [(before, markup(term), term) for before, term in inner]
+    return [(sign, opened, first), *found, (_SIGNS[last_sign], closed, Sum(((1, last), (1, below))))]
 
 
 def _without_modulus(formula: Formula) -> tuple[Formula, str]:
