@@ -240,3 +240,14 @@ def test_its_solution_is_written_by_three_methods(made: Path) -> None:
     assert all(len(found.answers) == len(asked) for found in written)
     said = [item.key for step in written[0].steps for item in step.items if isinstance(item, Sentence)]
     assert "turning.same_omega" in said
+
+
+@pytest.mark.parametrize("name", ["RRP10-RRP03-RRR45", "RRR01-RRP12-RRR45"])
+def test_links_that_hang_on_a_sliding_block_are_reached(name: str, tmp_path: Path) -> None:
+    """Its last rods are pinned to a rod that carries a block and to an arm of this block, link by link."""
+    assert main(["compose", "--structure", name, "--seed", "1", "--out", str(tmp_path / "made")]) == 0
+    variant = draw(load_family(tmp_path / "made"), None, [("methods", 1)])[0]
+    asked = read_ask(variant.form)
+    task = task_of(variant, variant.motion(), 0, asked)
+    for method in ("velocity_centre", "graphical"):
+        assert len(solution(task, [method]).answers) == len(asked)
