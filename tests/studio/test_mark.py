@@ -168,15 +168,32 @@ def test_a_class_of_108_goes_the_whole_way(visit: Callable[..., Visit], tmp_path
     assert window.complaints == []
 
 
-def test_doubtful_readings_are_decided(asking: Asking, course: Path, scan_exam: Built, tmp_path: Path) -> None:
+def test_doubtful_readings_are_decided(
+    asking: Asking, course: Path, scan_exam: Built, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """A faint digit waits with its picture; what somebody reads is in review.csv and stands for the command, too."""
+    told: list[dict[str, object]] = []
+    monkeypatch.setattr("variantgen.studio.events.Events.tell", lambda _, event, **data: told.append(data))
     own = scan_exam.key[1]
     page = filled(scan_exam.pages[1], [*(written(value) for _, value in own[:-1]), "77"], [(4, 3, 5, 200)])
-    page.save(tmp_path / "scan.pdf", resolution=150)
+    torn = scan_exam.pages[2].copy()
+    torn.paste(255, (0, 0, torn.width, 400))  # its code is gone
+    page.save(tmp_path / "scan.pdf", resolution=150, save_all=True, append_images=[torn])
     assert bring(asking, (tmp_path / "scan.pdf").read_bytes(), "My scan.pdf").status == 200
     code = scan_exam.code(1)
     found = shown(asking, code=code)
     assert found.count('class="doubtrow"') == 1 and "a faint mark" in found
+    assert told == [{"build": BUILD, "file": "My scan.pdf", "done": n, "total": 2} for n in (1, 2)]
+    # What it may say, what that would be worth, how dark the bubble is, what the student has at least and at most.
+    assert re.findall(r'data-reading="([^"]*)"', found) == ["775", "77", "-"]
+    assert found.count("digit 3: 5") == 1 and 10 < int(re.search(r"(\d+) %</span>", found)[1]) < 50  # type: ignore[index]
+    assert re.search(r"<strong>8–9 <small>of 9", found)
+    listed = asking.get(f"/exam/mark/list?build={BUILD}&lang=ru").text
+    assert (
+        "Не прочитаны страницы: 1" in listed and "My scan.pdf, страница 2" in listed and "код листа не виден" in listed
+    )
+    assert asking.get(f"/exam/mark/lost/0?build={BUILD}").content[1:4] == b"PNG"
+    assert asking.get(f"/exam/mark/lost/1?build={BUILD}").status == 404
     picture = asking.get(f"/exam/mark/picture?build={BUILD}&code={code}&problem=2&quantity=v_O")
     assert picture.headers["content-type"] == "image/png" and picture.content[1:4] == b"PNG"
     assert 'class="doubtrow"' in shown(asking, view="questions", problem="2", quantity="v_O")
@@ -282,6 +299,8 @@ def test_nothing_is_removed_or_replaced_for_good(asking: Asking, course: Path, s
     assert bring(asking, table).status == 200
     kept = asking.post(f"/exam/mark/drop?build={BUILD}", {"file": "answers-1.csv"}).json()["kept"]
     assert not (marks / "answers-1.csv").exists() and (marks / "bin" / kept).read_bytes() == table
+    listed = asking.get(f"/exam/mark/list?build={BUILD}").text
+    assert "Removed: 1" in listed and f'data-back="{kept}" aria-label="Put back answers.csv"' in listed
     assert bring(asking, b"student,1.v_B\nAnn Lee,6\n").status == 200
     assert asking.post(f"/exam/mark/restore?build={BUILD}", {"kept": kept}).status == 200
     assert (marks / "answers-1.csv").read_bytes() == table and (marks / "answers-2.csv").is_file()

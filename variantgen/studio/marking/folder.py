@@ -111,6 +111,13 @@ class MarkingFolder:
             path.rename(home / f"{number}-{name}")
             return f"{number}-{name}"
 
+    def binned(self) -> list[tuple[str, str]]:
+        """The files in the bin, the newest first: their names there and those that they had before."""
+        names = self.names()
+        found = [match for path in self._own(f"{BIN}/*") if (match := _KEPT.fullmatch(path.name))]
+        found.sort(key=lambda match: -int(match[1]))
+        return [(match[0], names.get(match[2], match[2])) for match in found]
+
     def restore(self, kept: str) -> None:
         """Take a file out of the bin; what has its place goes there. Raises InputError for another name."""
         found, path = _KEPT.fullmatch(kept), self.path / BIN / kept

@@ -16,7 +16,7 @@ from starlette.routing import Route
 from variantgen.errors import InputError, Problem
 from variantgen.studio.builds import FinishedBuild
 from variantgen.studio.frame import command, language_of, part, render
-from variantgen.studio.messages import error_text
+from variantgen.studio.messages import command_text, error_text
 from variantgen.studio.pages.archive import run_command
 from variantgen.studio.preview import KINDS
 from variantgen.studio.requests import document_of, number_of, read_json, save_upload, studio_of, text_of
@@ -137,7 +137,7 @@ async def write(request: Request) -> Response:
     words = words_of_command(studio_of(request), folder)
     code, _, said = await run_command(*words)
     if code:
-        raise InputError(Problem(said.decode("utf-8", "replace").strip()[-600:]))
+        raise InputError(Problem(command_text(said.decode("utf-8", "replace"), language_of(request))[-600:]))
     files = [path.name for path in folder.result()]
     return JSONResponse({"files": files, "command": command_of(studio_of(request), folder)})
 
@@ -168,6 +168,16 @@ async def sheet(request: Request) -> Response:
     place = _place(found, request)
     name, pages = await studio.typeset(lambda: studio.previews.finished_pages(found.finished, place, kind))
     return JSONResponse({"name": name, "pages": pages})
+
+
+async def lost(request: Request) -> Response:
+    """The picture of a page that could not be read."""
+    _, marked = _marking(request)
+    found = await run_in_threadpool(marked.current)
+    number = number_of(request.path_params["number"], "page", 0, 100_000)
+    if number >= len(found.lost) or not found.lost[number].picture:
+        raise UnknownKeyError("page")
+    return Response(found.lost[number].picture, media_type="image/png")
 
 
 async def picture(request: Request) -> Response:
@@ -222,6 +232,15 @@ def _listing(request: Request, folder: MarkingFolder, found: MarkedClass, langua
         "questions": questions(found),
         "files": files,
         "faults": faults,
+        "lost": [
+            {
+                "where": words.explained(page.where, names),
+                "why": words.explained(page.why, names),
+                "picture": bool(page.picture),
+            }
+            for page in found.lost
+        ],
+        "binned": [{"kept": kept, "name": name} for kept, name in folder.binned()],
         "left": len(found.marked.not_matched),
         "doubts": len(found.doubtful),
         "handed_in": handed_in,
@@ -285,4 +304,5 @@ ROUTES = [
     Route("/{exam}/mark/result/{number}", result),
     Route("/{exam}/mark/sheet", sheet),
     Route("/{exam}/mark/picture", picture),
+    Route("/{exam}/mark/lost/{number}", lost),
 ]
