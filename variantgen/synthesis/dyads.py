@@ -19,6 +19,7 @@ from variantgen.synthesis.dyad_parts import (
     on_bar,
     slide,
 )
+from variantgen.synthesis.gears import gear_in_mesh
 from variantgen.synthesis.sliding_dyads import collar, two_guides, yoke
 from variantgen.synthesis.structures import FRAME, AssurGroup
 
@@ -215,6 +216,7 @@ _PLACING: dict[str, Callable[[Draft, tuple[int, int], AssurGroup, dict[int, str]
     "RRR": _two_rods,
     "RRP": _rod_and_slider,
     "RRW": _rod_and_wheel,
+    "WR": gear_in_mesh,
     "RPR": collar,
     "PRP": two_guides,
     "RPP": yoke,
