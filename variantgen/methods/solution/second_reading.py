@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from variantgen.algebra.expression import Expression, Value
 from variantgen.algebra.name import Name
-from variantgen.algebra.values import in_order, parts
+from variantgen.algebra.values import in_order, made_of, parts
 from variantgen.methods.solution.used import read
 from variantgen.methods.steps.step import (
     Body,
@@ -80,7 +80,7 @@ def _with_conversions(steps: Sequence[Step]) -> list[Step]:
             more = in_order(read(item), met)
             met.update(more)
             for value in more:
-                same = value.expression is not None and any(p.name == value.name for p in parts(value.expression))
+                same = any(p.name == value.name for p in made_of(value))
                 if same and value.name is not None and value.measure.startswith("angular") and value not in shown:
                     shown.add(value)
                     items.append(Derived(value, symbolic=False))
