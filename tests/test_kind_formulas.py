@@ -12,7 +12,7 @@ import pytest
 
 from variantgen.cli import main
 
-FOLDER = Path(__file__).parent / "textbook_kinds"
+FOLDER = Path(__file__).parent / "kind_scenes"
 STEP = 1e-4  # rad or s: an error of some 1e-7 in a second derivative
 
 
