@@ -235,6 +235,39 @@ def test_typed_answers_stand_before_tables_and_are_taken_back(asking: Asking, co
     assert asking.get(f"/exam/mark/find?build={BUILD}&who=young").json() == {"code": scan_exam.code(2)}
 
 
+def test_what_is_done_to_marks_is_taken_back_in_its_turn(asking: Asking, course: Path, scan_exam: Built) -> None:
+    """By the undo of the exam: an answer, a file, the rules; and done again."""
+    marks, (name, value) = course / "marks" / BUILD, scan_exam.key[0][0]
+    problem, quantity = int(name.partition(".")[0]), name.partition(".")[2]
+
+    def moved(how: str) -> str:
+        """Undo or redo; what comes next."""
+        version = asking.get("/exam/state").json()["version"]
+        assert asking.post(f"/exam/{how}", {"version": version}).status == 200, how
+        found: str = asking.get("/exam/state").json()["undo"]
+        return found
+
+    def typed() -> list[list[str]]:
+        return list(csv.reader((marks / "typed.csv").read_text().splitlines()))[1:]
+
+    assert bring(asking, f"student,{name}\n{scan_exam.code(0)},5\n".encode()).status == 200
+    for text in (f"{-value:.5g}", f"{value:.5g}"):
+        assert say(asking, scan_exam.code(0), problem, quantity, text).status == 200
+    asking.post(f"/exam/mark/drop?build={BUILD}", {"file": "answers-1.csv"})
+    asking.post(f"/exam/mark/policy?build={BUILD}", {"fields": {"sign": "40"}, "use": True})
+    rules = (marks / "policy.toml").read_text()
+    assert asking.get("/exam/state").json()["undo"] == "rules of marking"
+    assert moved("undo") == "file answers.csv removed" and not (marks / "policy.toml").exists()
+    answer = f"answer {name} of the sheet {scan_exam.code(0)}"
+    assert moved("undo") == answer and (marks / "answers-1.csv").exists()
+    assert moved("undo") == answer and typed()[0][3] == f"{-value:.5g}"
+    assert moved("undo") == "file answers.csv" and typed() == []
+    assert moved("undo") == "" and not (marks / "answers-1.csv").exists()
+    assert [moved("redo") for _ in range(5)][-1] == "rules of marking"
+    assert typed()[0][3] == f"{value:.5g}" and (marks / "policy.toml").read_text() == rules
+    assert not (marks / "answers-1.csv").exists()
+
+
 def boxes(asking: Asking, code: str) -> dict[str, tuple[str, str]]:
     """What the page shows of a student: the answers and their verdicts, by question."""
     found = re.findall(r'<input id="[^"]*?\.([^"]*)" value="([^"]*)".*?class="v (\w+)"', shown(asking, code=code), re.S)

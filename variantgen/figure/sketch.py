@@ -186,6 +186,7 @@ class Sketch:
             beyond=[*self.beyond],
             rotations=[*self.rotations],
             walls=[*self.walls],
+            round_walls=[*self.round_walls],
             obstacles=self.obstacles.copied(),
             _corners=[*self._corners],
         )

@@ -110,7 +110,7 @@ class _Pool:
         # Whoever has one draw that nobody else wants takes it: nothing is to be decided.
         contested = {self._owner[i] for i in (*same, *near)} | self._more.keys()
         draws = [i for owner in contested for i in self._draws(owner)]
-        self.contested = np.unique(self.traits.identity[np.array(draws, dtype=int)]).size
+        self.contested = len(set(self.traits.identity[np.array(draws, dtype=int)].tolist()))
         held = set(self._kept)
         contested.difference_update(self._kept)
         wanting = []

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from variantgen.algebra.expression import Expression, Value
 from variantgen.algebra.name import Name
-from variantgen.algebra.values import in_order, parts
+from variantgen.algebra.values import in_order, made_of, parts
 from variantgen.methods.solution.used import read
 from variantgen.methods.steps.step import (
     Body,
@@ -72,12 +72,15 @@ def _without_repeated_lines(steps: Sequence[Step]) -> list[Step]:
 def _with_conversions(steps: Sequence[Step]) -> list[Step]:
     """The steps with a line before the first use of a datum in another unit: ``omega = pi 120 / 30 = 12.57 rad/s``."""
     shown = {item.value for step in steps for item in step.items if isinstance(item, Derived)}
+    met: set[Value] = set()
     kept: list[Step] = []
     for step in steps:
         items: list[Item] = []
         for item in step.items:
-            for value in in_order(read(item)):
-                same = value.expression is not None and any(p.name == value.name for p in parts(value.expression))
+            more = in_order(read(item), met)
+            met.update(more)
+            for value in more:
+                same = any(p.name == value.name for p in made_of(value))
                 if same and value.name is not None and value.measure.startswith("angular") and value not in shown:
                     shown.add(value)
                     items.append(Derived(value, symbolic=False))

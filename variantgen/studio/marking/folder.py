@@ -118,15 +118,18 @@ class MarkingFolder:
         found.sort(key=lambda match: -int(match[1]))
         return [(match[0], names.get(match[2], match[2])) for match in found]
 
-    def restore(self, kept: str) -> None:
-        """Take a file out of the bin; what has its place goes there. Raises InputError for another name."""
+    def restore(self, kept: str) -> str:
+        """Take a file out of the bin; what has its place goes there: its name there, or ''.
+
+        Raises InputError for another name.
+        """
         found, path = _KEPT.fullmatch(kept), self.path / BIN / kept
         with self.lock:
             if found is None or not path.is_file() or path.is_symlink():
                 raise InputError(Problem("there is no such file", value=kept[:40]))
-            if self._own(found[2]):
-                self.remove(found[2])
+            other = self.remove(found[2]) if self._own(found[2]) else ""
             path.rename(self.path / found[2])
+            return other
 
     def written(self, name: str, asked: Collection[Asked]) -> dict[Asked, str]:
         """What the studio has written into ``typed.csv`` or ``review.csv``, by question; ``asked`` are all of them.

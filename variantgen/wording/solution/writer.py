@@ -160,7 +160,7 @@ class Writer:
             case Body(name):
                 return self.symbols.body(name, form)
             case Point(name):
-                return (Symbol(name),)
+                return (Symbol(f"{name}′" if form == "under" else name),)
             case Segment(start, end, centre_of):
                 part, body = ("centre", centre_of) if centre_of else ("", "")
                 return (self.symbols.of(Name("length", start, end, part, body)),)

@@ -1,5 +1,5 @@
 // Mark: answers typed by keyboard alone, doubtful readings decided, one student or one question at a time, the rules.
-import { $, all, complain, el, exam, fill, get, lang, note, on, post, typing } from "./studio.js";
+import { $, all, complain, el, exam, fill, get, lang, note, on, post, renew, typing } from "./studio.js";
 
 const page = document.querySelector(".marking"), words = JSON.parse(page.dataset.words), build = page.dataset.build;
 const asked = more => new URLSearchParams({ build, lang, ...more });
@@ -50,7 +50,7 @@ async function show(focus = false) {
   sheet();
 }
 let later;
-function refresh() { clearTimeout(later); later = setTimeout(async () => { await show(); await showList().catch(complain); }, 400); }
+function refresh() { clearTimeout(later); later = setTimeout(async () => { await show(); await Promise.all([renew(), showList()]).catch(complain); }, 400); }
 async function sheet() {
   const pages = $("pages");
   if (!pages) return;
@@ -188,7 +188,8 @@ async function back(kept) {
     await all_();
   } catch (error) { complain(error); }
 }
-async function all_() { await showList(); await show(); }
+async function all_() { await Promise.all([renew(), showList()]); await show(); }
+addEventListener("exam", () => all_().catch(complain));  // an answer, a file or the rules may have been taken back
 async function bring(files) {
   list.setAttribute("aria-busy", "true");
   for (const file of files) {
