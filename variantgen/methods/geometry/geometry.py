@@ -127,7 +127,7 @@ class Geometry(PositionLines):
         """A radius by that of a disc in the figure, if there is one."""
         if isinstance(drawn, Value):
             return self._taken(drawn)
-        if drawn is None:
+        if drawn is None or isinstance(drawn, Constant):  # a number needs no line
             return self.unnamed_radii.of(body, exact)
         name = self.unnamed_radii.named(body, exact)
         self.say("radius", radius=name, body=Body(body))
