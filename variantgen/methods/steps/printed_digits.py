@@ -98,12 +98,13 @@ def facts_values(sentence: Sentence) -> list[Value]:
     waiting: list[Fact] = list(sentence.facts.values())
     while waiting:
         fact = waiting.pop()
-        if isinstance(fact, Value):
+        # Exact types: every pass over a solution comes here, and most facts are none of these.
+        if type(fact) is Value:
             found.append(fact)
-        elif isinstance(fact, NumberOf):
+        elif type(fact) is NumberOf:
             found.append(fact.value)
-        elif isinstance(fact, Sentence):
+        elif type(fact) is Sentence:
             waiting += fact.facts.values()
-        elif isinstance(fact, tuple) and not isinstance(fact, Name):
+        elif type(fact) is tuple and not isinstance(fact, Name):
             waiting += fact
     return found
