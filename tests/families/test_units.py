@@ -82,7 +82,7 @@ def test_an_angle_is_answered_in_radians_or_turns(tmp_path: Path, capsys: pytest
         document = json.loads(solved(tmp_path, capsys, f'"mu_crank in {name}"', "--json"))
         assert [(a["value"], a["unit"]) for a in document["answers"]] == [(pytest.approx(mu / size), name)]
     shown = solved(tmp_path, capsys, '"mu_crank in rad"', "--explain").replace("\N{NO-BREAK SPACE}", " ")
-    assert f"= {math.degrees(mu):.2f}° = {mu:.4f} rad" in shown
+    assert f"Answer: μ_crank = {math.degrees(mu):.3f}° = {mu:.4f} rad" in shown
 
 
 def test_the_tolerance_of_an_angle_is_in_its_unit() -> None:

@@ -76,7 +76,7 @@ def test_a_law_of_turning_is_in_radians_first(tmp_path, capsys):
     out = _shown(text, tmp_path, capsys, "ru")
     assert "φ = 3 t − t^2 / 4 = 3 · 1 − 1^2 / 4 = 2,75 рад φ = 180° · 2,75 / π = 157,56°" in out
     assert "ω_OA = φ̇ = 3 − t / 2 = 3 − 1 / 2 = 2,5 рад/с" in out
-    assert "φ̈ = −1 / 2 = −0,5 рад/с² ε_OA = |φ̈| = |−0,5| = 0,5 рад/с² Знаки φ̇ и φ̈ противоположны" in out
+    assert "φ̈ = −0,5 рад/с² ε_OA = |φ̈| = |−0,5| = 0,5 рад/с² Знаки φ̇ и φ̈ противоположны" in out
 
 
 def test_the_angle_before_the_start_is_negative(tmp_path, capsys):

@@ -422,6 +422,15 @@ def test_markings_follow_no_links(asking: Asking, course: Path) -> None:
     outside.mkdir()
     (course / "marks").symlink_to(outside)
     assert bring(asking, b"student,1.v_B\nAnn Lee,5\n").status == 400
+    # Folders that become links while the page is open.
+    (course / "marks").unlink()
+    assert bring(asking, b"student,1.v_B\nAnn Lee,5\n").status == 200
+    (course / "marks" / BUILD / "bin").symlink_to(outside)
+    assert asking.post(f"/exam/mark/drop?build={BUILD}", {"file": "answers-1.csv"}).status == 400
+    (course / "marks" / BUILD).rename(course / "before")
+    (course / "marks" / BUILD).symlink_to(outside)
+    assert bring(asking, b"student,1.v_B\nAnn Lee,5\n").status == 400
+    assert asking.post(f"/exam/mark/policy?build={BUILD}", {"fields": {"sign": "40"}, "use": True}).status == 400
     assert list(outside.iterdir()) == []
 
 

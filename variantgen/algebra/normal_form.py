@@ -129,6 +129,8 @@ def simplified(item: Expression) -> Expression:
     powers = Powers()
     number = _collected(item, 1, powers, fractions=True)
     size = abs(number)
+    if not any(powers.values()) and decimals_of(size) <= _SHORT:
+        return _signed_by(number, Constant(size))
     top, bottom = _as_fraction(size, _is_fraction(item))
     above = _multiplied(top, {base: exponent for base, exponent in powers.items() if exponent > 0})
     below = _multiplied(bottom, {base: -exponent for base, exponent in powers.items() if exponent < 0})

@@ -18,7 +18,14 @@ if TYPE_CHECKING:
 
 def change(studio: Studio, document: Document, deed: dict[str, str], by: int) -> dict[str, str]:
     """Take a deed back (-1) or do it again (+1); returns what it is from now on. Raises InputError."""
-    kind = deed.get("kind")
+    try:
+        return _changed(studio, document, deed, by)
+    except KeyError:  # somebody has written into the journal
+        raise InputError(Problem("there is nothing of this name", value=deed.get("kind", ""))) from None
+
+
+def _changed(studio: Studio, document: Document, deed: dict[str, str], by: int) -> dict[str, str]:
+    kind = deed["kind"]
     if kind == "list":
         from variantgen.studio.roster.lists import exchange
 

@@ -142,7 +142,7 @@ def amount(book: Book, template: ComponentTemplate, key: str, measure: str) -> V
     if not isinstance(source, FamilyExpression):
         return Value(None, measure, 0.0)
     expression = unsigned(book.task.expressed(source))
-    if isinstance(expression, Value):
+    if isinstance(expression, Value) and expression.measure == measure:  # not the time t, a derivative of t^2 / 2
         name = _name_of(book, template, key)
         if expression.expression is None or name.kind not in _RATES or _is_letter_of_rate(expression):
             return expression
