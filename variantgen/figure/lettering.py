@@ -54,7 +54,7 @@ class Lettering:
 
 @lru_cache(maxsize=10_000)
 def typeset(formula: Formula) -> Lettering:
-    """The lettering of a formula. Raises TypeError for a kind that stands in texts only, like a sum."""
+    """The lettering of a formula. Raises TypeError for a kind that stands in texts only, like a fraction."""
     run = Run()
     _set(run, formula)
     bottom = min((p.at.imag + p.glyph.bottom for p in run.glyphs), default=0.0)
