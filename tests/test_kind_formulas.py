@@ -109,7 +109,13 @@ def _cam() -> dict[str, float]:
     return {"v_B": abs(v), "a_B": abs(a)}
 
 
+def _planet_between() -> dict[str, float]:
+    sun, ring = 12 * 40, -3 * 80  # speeds of the contacts, 40 mm apart
+    return {"omega_planet": (ring - sun) / 40, "omega_arm": (ring + sun) / 2 / 60}
+
+
 KINDS = {
+    "planet_between": _planet_between,
     "epicyclic_belt": _epicyclic,
     "hoist_two_ropes": lambda: {"v_B": 3 / 2, "v_D": 3 / 4, "a_D": 1.5 / 4},
     "rack_by_law": _rack,
@@ -132,3 +138,4 @@ def test_a_scene_has_the_answers_of_its_own_formula(name: str, capsys: pytest.Ca
     assert main(["solve", path, "--explain"]) == 0
     shown = capsys.readouterr()
     assert "\nAnswer: " in shown.out, shown.err
+    assert " / 1 " not in shown.out
