@@ -23,6 +23,7 @@ EXAM = """
 title = "Quiz"
 language = "en"
 seed = 7
+fair = false
 tolerance = { floor = 0.02, ceiling = 0.03, mistakes = true }
 formats = ["pdf"]
 [solutions]

@@ -13,7 +13,7 @@ from variantgen.check.vocabulary import vocabulary
 from variantgen.cli import main
 from variantgen.resources import catalog_dir, languages
 
-SEEDS = 8
+SEEDS, MORE = 5, 8  # of a form: so few tell a mistake, and of more nothing is told where there is none
 
 
 def damaged(folder: Path, family: str, *changes: tuple[str, str, str]) -> Path:
@@ -28,8 +28,8 @@ def damaged(folder: Path, family: str, *changes: tuple[str, str, str]) -> Path:
     return copied
 
 
-def failures(path: Path) -> list[str]:
-    return list(check_family(str(path), SEEDS).failures)
+def failures(path: Path, seeds: int = SEEDS) -> list[str]:
+    return list(check_family(str(path), seeds).failures)
 
 
 def exchanged(file: str, one: str, two: str) -> list[tuple[str, str, str]]:
@@ -39,7 +39,7 @@ def exchanged(file: str, one: str, two: str) -> list[tuple[str, str, str]]:
 
 @pytest.mark.parametrize("family", ["oscillating_cylinder", "two_cranks_and_rod", "spool"])
 def test_a_family_without_damage_passes(family: str, tmp_path: Path) -> None:
-    assert failures(damaged(tmp_path, family)) == []
+    assert failures(damaged(tmp_path, family), MORE) == []
 
 
 # Length that is not as printed: family, what is written, what is written instead, the length.
@@ -257,7 +257,7 @@ def test_words_that_are_right_pass(tmp_path: Path) -> None:
         ("statement.ru.j2", "Шток", "Кривошип {{ OA }} вращается по часовой стрелке. Шток"),
     )
     (crank / "cases.toml").unlink()
-    assert failures(crank) == []
+    assert failures(crank, MORE) == []
     wheel = damaged(
         tmp_path,
         "rolling_wheel",
@@ -265,7 +265,7 @@ def test_words_that_are_right_pass(tmp_path: Path) -> None:
         ("statement.en.j2", "At the given instant its centre {{ O }}", "Its centre {{ O }} moves to the right and"),
         ("statement.ru.j2", "В данный момент его центр {{ O }}", "Его центр {{ O }} движется вправо и"),
     )
-    assert failures(wheel) == []
+    assert failures(wheel, MORE) == []
 
 
 def test_every_language_can_be_read() -> None:

@@ -214,11 +214,12 @@ def test_two_builds_of_one_folder(tmp_path: Path, capsys: pytest.CaptureFixture[
 def test_packed_problems_hold_problems_and_nothing_else(tmp_path: Path) -> None:
     from benchmarks.sheets import drawn_sheets
 
-    found = exam(tmp_path)
+    found = exam(tmp_path, TEXT.replace("fair = false", "fair = true"))
     items = drawn_sheets(replace(found, seed="1"), numbered(3))[1].items
     content = pack(found, items)
     again = unpack(found, content)
     assert again == items
+    assert again[0].work is not None
     assert again[0].variant.form is items[0].variant.form
     assert len(content) < 2000, "families are not packed"
     for bad in (b"", content[:-20], b"cos\nsystem\n(S'true'\ntR.", json.dumps({}).encode()):

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from itertools import permutations
 
 import numpy as np
 import pytest
 
+from tests.tools import NIGHTLY
 from variantgen.check.family import check_family
 from variantgen.families.expressions import FamilyExpression
 from variantgen.families.folders import family_names
@@ -28,12 +30,14 @@ from variantgen.wording.notation import Notation
 from variantgen.wording.statement import statement
 
 FAMILIES = family_names()
+SEEDS = 200 if NIGHTLY else 80
+FIGURES = 60  # of a form
 PLATES_AND_ROD = {"triangle_plate", "plate_acceleration_centre", "falling_rod"}  # few given data by nature
 
 
 @pytest.mark.parametrize("name", FAMILIES)
 def test_check_is_green(name: str) -> None:
-    report = check_family(name, seeds=200)
+    report = check_family(name, seeds=SEEDS)
     assert report.failures == []
     assert report.cases
     for form in report.forms:
@@ -46,37 +50,48 @@ def test_there_are_enough_families() -> None:
     assert len(FAMILIES) >= 28
 
 
-def drawn(name: str, count: int) -> list[tuple[Variant, Drawing]]:
+Figures = list[list[tuple[Variant, Drawing]]]
+
+
+@pytest.fixture(scope="module", params=FAMILIES)
+def figures(request: pytest.FixtureRequest) -> Figures:
+    """Variants of a family with their figures, form by form: all tests of one family use the same."""
+    return drawn(request.param)
+
+
+def first(figures: Figures, count: int) -> list[tuple[Variant, Drawing]]:
+    """So many of each form."""
+    return [found for of_form in figures for found in of_form[:count]]
+
+
+def drawn(name: str) -> Figures:
     """Variants of all forms of a family with their figures."""
     language = load_language("en")
     found = []
     for form in load_family(name).forms.values():
         family = replace(load_family(name), forms={form.name: form})
-        variants = VariantDrawing(family, None).after([("figure", i) for i in range(count)], [0] * count)
+        variants = VariantDrawing(family, None).after([("figure", i) for i in range(FIGURES)], [0] * FIGURES)
         motion = solve_variants(variants, 0)
-        for i, variant in enumerate(variants):
-            asked = [parse_quantity(text, form.sample) for text in form.ask]
-            found.append((variant, statement_figure(variant, motion, i, asked, language)))
+        asked = [parse_quantity(text, form.sample) for text in form.ask]
+        found.append([(v, statement_figure(v, motion, i, asked, language)) for i, v in enumerate(variants)])
     return found
 
 
-@pytest.mark.parametrize("name", FAMILIES)
-def test_labels_and_arrows_are_clear_of_each_other_and_of_lines_and_on_the_paper(name: str) -> None:
-    figures = drawn(name, 60)
-    for variant, figure in figures:
+def test_labels_and_arrows_are_clear_of_each_other_and_of_lines_and_on_the_paper(figures: Figures) -> None:
+    every = first(figures, FIGURES)
+    for variant, figure in every:
         seen = inspect_labels(figure)
         assert not (seen.overlaps or seen.crossed or seen.outside), (variant.form.name, variant.printed, seen)
         assert figure_faults(figure) == []
     # Arrows find room nearly always.
-    crossed = [fault for _, figure in figures for faults in inspect_arrows(figure).by_kind.values() for fault in faults]
-    assert len(crossed) <= 0.05 * len(figures), crossed
+    crossed = [fault for _, figure in every for faults in inspect_arrows(figure).by_kind.values() for fault in faults]
+    assert len(crossed) <= 0.05 * len(every), crossed
 
 
-@pytest.mark.parametrize("name", FAMILIES)
-def test_data_are_printed_in_the_usual_order(name: str) -> None:
+def test_data_are_printed_in_the_usual_order(figures: Figures) -> None:
     order = ["length", "angle", "time", "angular velocity", "velocity", "angular acceleration", "acceleration"]
     groups = [0, 1, 2, 3, 3, 4, 4]
-    for variant, _ in drawn(name, 2):
+    for variant, _ in first(figures, 2):
         asked = [parse_quantity(text, variant.form.sample) for text in variant.form.ask]
         given = [variant.form.parameters[n] for n in given_names(variant, asked)]
         found = [groups[order.index(p.unit.measures)] for p in given if p.unit and not p.constant]
@@ -88,9 +103,8 @@ def neutral(formula: Formula) -> str:
     return to_typst(formula).replace("отн", "rel").replace('"К"', '"Cor"').replace("_(tau)", "_(t)")
 
 
-@pytest.mark.parametrize("name", FAMILIES)
-def test_statements_in_both_languages_say_the_same(name: str) -> None:
-    for variant, _ in drawn(name, 3):
+def test_statements_in_both_languages_say_the_same(figures: Figures) -> None:
+    for variant, _ in first(figures, 3):
         asked = [parse_quantity(text, variant.form.sample) for text in variant.form.ask]
         said = {lang: statement(variant, asked, load_language(lang, Notation("alpha"))) for lang in languages()}
         assert set(said) >= {"en", "ru"}
@@ -102,9 +116,8 @@ def test_statements_in_both_languages_say_the_same(name: str) -> None:
         assert len(said["en"].given) == len(said["ru"].given)
 
 
-@pytest.mark.parametrize("name", FAMILIES)
-def test_a_velocity_problem_says_nothing_about_accelerations(name: str) -> None:
-    for variant, _ in drawn(name, 2):
+def test_a_velocity_problem_says_nothing_about_accelerations(figures: Figures) -> None:
+    for variant, _ in first(figures, 2):
         velocities = [q for text in variant.form.ask if (q := parse_quantity(text, variant.form.sample)).order == 1]
         if not velocities:
             assert variant.form.may_ask  # a form that asks for accelerations only says what else may be asked
@@ -171,9 +184,8 @@ def sources(derived: Mapping[str, FamilyExpression], names: Iterable[str]) -> se
     return found
 
 
-@pytest.mark.parametrize("name", FAMILIES)
-def test_arcs_of_rotation_are_told_apart_and_have_the_solved_sense(name: str) -> None:
-    for variant, figure in drawn(name, 20):
+def test_arcs_of_rotation_are_told_apart_and_have_the_solved_sense(figures: Figures) -> None:
+    for variant, figure in first(figures, 20):
         arcs = {to_plain(label.formula): arc for arc, label in arcs_and_labels(figure)}
         rates = given_rates(variant)
         assert set(arcs) == {symbol for symbol, rate in rates.items() if rate != 0}
@@ -186,9 +198,8 @@ def test_arcs_of_rotation_are_told_apart_and_have_the_solved_sense(name: str) ->
                 assert abs(np.angle(np.exp(1j * (middle - far)))) > np.radians(90), variant.printed
 
 
-@pytest.mark.parametrize("name", FAMILIES)
-def test_the_text_says_truly_whether_a_motion_speeds_up(name: str) -> None:
-    for variant, _ in drawn(name, 10):
+def test_the_text_says_truly_whether_a_motion_speeds_up(figures: Figures) -> None:
+    for variant, _ in first(figures, 10):
         motion = solve_variants([variant], 2)
         rates = [[float(np.ravel(d.rates(order)[0])[0]) for order in (1, 2)] for d in motion.scene.drivers]
         accelerated = [v * a > 0 for v, a in rates if v * a != 0]
@@ -203,22 +214,16 @@ def test_the_text_says_truly_whether_a_motion_speeds_up(name: str) -> None:
 
 def test_figures_are_to_scale() -> None:
     # The hinge circles of the four-bar are where the solved points are: same shape, one scale, no distortion.
-    for variant, figure in drawn("four_bar", 20):
+    for variant, figure in first(drawn("four_bar"), 20):
         motion = solve_variants([variant], 0)
         circles = [line.centre for line in figure.lines if hasattr(line, "centre") and line.fill == "paper"]
         solved = [complex(motion.z[p][0]) for p in ("O", "A", "B", "C")]
         assert len(circles) == 4
         order = min(
-            ([circles[i] for i in order] for order in permutations(4)),
+            ([circles[i] for i in order] for order in permutations(range(4))),
             key=lambda places: misfit(places, solved),
         )
         assert misfit(order, solved) < 1e-9
-
-
-def permutations(count: int) -> list[tuple[int, ...]]:
-    from itertools import permutations as every
-
-    return list(every(range(count)))
 
 
 def misfit(places: list[complex], solved: list[complex]) -> float:

@@ -21,7 +21,7 @@ from variantgen.resources import catalog_dir
 from variantgen.tables import read_toml
 from variantgen.variants.examined import examined
 
-STUDENTS = [Student(f"s{i}", f"N{i}", f"M-{i % 4}") for i in range(108)]
+STUDENTS = [Student(f"s{i}", f"N{i}", f"M-{i % 4}") for i in range(48)]
 HEAD = 'title = "T"\nlanguage = "en"\nseed = 11\n'
 FOUR_BAR = ["v_B", "omega_AB", "omega_BC", "a_B", "epsilon_AB", "epsilon_BC"]
 SPOOL = ["v_O", "omega_spool", "v_A", "a_O", "epsilon_spool", "a_A"]

@@ -338,9 +338,17 @@ def test_bad_template(template: str, said: str, also: str, tmp_path: Path, capsy
     message = capsys.readouterr().err
     assert all(part in message for part in (said, also, str(folder / "statement.en.j2"))), message
     assert "Traceback" not in message
+
+
+@pytest.mark.parametrize(("template", "said", "also"), BAD_TEMPLATES[::3])  # each kind of fault, and the include
+def test_check_tells_of_a_bad_template(
+    template: str, said: str, also: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = family(tmp_path, template)
     assert main(["check", str(folder), "--seeds", "2"]) in {1, 2}
     found = capsys.readouterr()
     assert said in found.out + found.err
+    assert also in found.out + found.err
     assert "root:" not in found.out + found.err
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from variantgen import answers, draw, load_family
 from variantgen.cli import main
 from variantgen.families.units import UNITS, parse_value, unit
 
@@ -74,6 +75,23 @@ def test_an_answer_is_in_the_unit_that_is_wanted(tmp_path: Path, capsys: pytest.
     assert found["epsilon_crank"] == (pytest.approx(gain), "rad/s^2")
 
 
+def test_an_angle_is_answered_in_radians_or_turns(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The angle between the acceleration of the crank pin and the crank has the tangent epsilon / omega^2."""
+    mu = math.atan2(4 * math.pi, (100 * math.pi / 30) ** 2)
+    for name, size in (("rad", 1.0), ("rev", math.tau)):
+        document = json.loads(solved(tmp_path, capsys, f'"mu_crank in {name}"', "--json"))
+        assert [(a["value"], a["unit"]) for a in document["answers"]] == [(pytest.approx(mu / size), name)]
+    shown = solved(tmp_path, capsys, '"mu_crank in rad"', "--explain").replace("\N{NO-BREAK SPACE}", " ")
+    assert f"Answer: μ_crank = {math.degrees(mu):.3f}° = {mu:.4f} rad" in shown
+
+
+def test_the_tolerance_of_an_angle_is_in_its_unit() -> None:
+    """Without a tolerance of one's own an angle may be off by the same angle, whatever unit it is asked in."""
+    variant = draw(load_family("plate_acceleration_centre"), None, [(1,)])[0]
+    found = [answers(variant, [f"mu_ABDE in {name}"])[0] for name in ("deg", "rad")]
+    assert math.radians(found[0].tolerance) == pytest.approx(found[1].tolerance, rel=0.01)
+
+
 def test_a_solution_leads_to_its_own_unit_and_to_the_wanted_one(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -92,8 +110,9 @@ def test_the_command_line_asks_in_units(tmp_path: Path, capsys: pytest.CaptureFi
         ("v_A in rpm", "rpm measures no velocity"),
         ("v_A in furlong", "unknown unit"),
         ("omega_crank in rad", "rad measures no angular velocity"),
-        ("angle_OA in rev", "angles are answered in deg"),
-        ("v_A.angle in rad", "angles are answered in deg"),
+        ("angle_OA in rev", "directions are answered in deg"),
+        ("v_A.angle in rad", "directions are answered in deg"),
+        ("mu_crank in rad/s", "rad/s measures no angle"),
         ("velocities in ft/s", "a unit goes with one quantity"),
     ],
 )

@@ -11,6 +11,7 @@ from typing import Any
 
 PORT = 8765
 HOST = f"127.0.0.1:{PORT}"
+BROKEN = b"the connection is broken"
 
 
 @dataclass(frozen=True)
@@ -53,7 +54,7 @@ class Asking:
     def raw(
         self, method: str, path: str, headers: list[tuple[bytes, bytes]], pieces: Sequence[bytes | None] = (b"",)
     ) -> Answer:
-        """One request with these headers and no others; a piece that is None never comes."""
+        """One request with these headers and no others; a piece that is None never comes, at BROKEN the line breaks."""
         bare, _, query = path.partition("?")
         scope = {
             "type": "http", "asgi": {"version": "3.0"}, "http_version": "1.1", "method": method, "scheme": "http",
@@ -68,6 +69,9 @@ class Asking:
             if not left:
                 await asyncio.sleep(3600)
             piece = left.pop(0)
+            if piece is BROKEN:
+                left.append(BROKEN)
+                return {"type": "http.disconnect"}
             if piece is None:
                 await asyncio.sleep(3600)
             return {"type": "http.request", "body": piece, "more_body": bool(left)}

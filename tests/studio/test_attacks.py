@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import json
 import os
 import shutil
@@ -16,11 +17,13 @@ from typing import Any
 import pytest
 import uvicorn
 
-from tests.studio.asking import HOST, PORT, Asking
+from tests.studio.asking import BROKEN, HOST, PORT, Asking
 from tests.studio.conftest import EXAM, TOKEN
 from variantgen.errors import InputError
 from variantgen.resources import catalog_dir
-from variantgen.studio import security, server
+from variantgen.studio import pages, security, server
+from variantgen.studio.app import make_app
+from variantgen.studio.studio import Studio
 from variantgen.studio.workspace import Workspace, write_whole
 
 PAGES = ("/?all", "/exam/choose", "/exam/state", "/exam/chosen", "/static/studio.js")
@@ -107,6 +110,75 @@ def test_forms_and_fetches_of_others_change_nothing(client: Asking, folder: Path
         assert client.post(path, EDIT, origin=origin).status == 403
     assert (folder / "exam.toml").read_text() == EXAM
     assert [path.name for path in folder.glob("*.toml")] == ["exam.toml"]
+
+
+CHANGING = sorted(
+    (method, route.path)
+    for page in pages.PAGES
+    for route in page.ROUTES
+    for method in route.methods or ()
+    if method in ("POST", "PUT")
+)
+
+
+def test_no_address_changes_anything_for_others(client: Asking, folder: Path) -> None:
+    """Every address that changes something: another site, another name, nobody who was let in, a plain form."""
+    before = {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+    assert len(CHANGING) > 20
+    for method, pattern in CHANGING:
+        path = pattern.replace("{exam}", "exam").replace("{family}", "spool").replace("{build}", "exam-2026-01-02")
+        data, kind = (b'{"version": "", "title": "x", "language": "en"}',), "application/json"
+        asked: list[tuple[int, dict[str, str | None]]] = [
+            (403, {"origin": "http://evil.example"}),
+            (403, {"origin": None}),
+            (403, {"origin": "null", "sec_fetch_site": "cross-site"}),
+            (403, {"sec_fetch_site": "same-site"}),
+            (403, {"cookie": None}),
+            (421, {"host": f"evil.example:{PORT}"}),
+        ]
+        for status, headers in asked:
+            assert client.ask(method, path, data, **{"content-type": kind, **headers}).status == status, (path, headers)
+        if method == "POST":
+            form = client.ask(method, path, (b"version=&title=x",), content_type="application/x-www-form-urlencoded")
+            assert form.status in (400, 404), path
+    assert {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()} == before
+
+
+@pytest.mark.parametrize("path", ["/exam/edit", "/exam/text", "/exam/roster/table?name=x"])
+def test_what_breaks_off_changes_nothing(client: Asking, folder: Path, path: str) -> None:
+    """A connection that ends within a body: nothing of it is read, nothing is left, the next one is answered."""
+    raw = [(b"host", HOST.encode()), (b"origin", f"http://{HOST}".encode()), (b"cookie", COOKIE.encode())]
+    raw += [(b"content-type", b"application/json"), (b"content-length", b"5000")]
+    method = "PUT" if "table" in path else "POST"
+    with contextlib.suppress(Exception):  # nobody is there to be answered
+        client.raw(method, path, raw, [b'{"version": "', BROKEN])
+    assert (folder / "exam.toml").read_text() == EXAM and not (folder / "roster.csv").exists()
+    assert not [each for each in folder.rglob("*") if "incoming" in each.name or each.suffix == ".part"]
+    assert client.get("/exam/roster/shown").status == client.get("/exam/state").status == 200
+    assert 'id="drop"' in client.get("/exam/roster/shown").text  # no table is there
+
+
+def test_a_journal_that_others_have_written_does_no_harm(client: Asking, folder: Path) -> None:
+    version = client.get("/exam/state").json()["version"]
+    assert client.post("/exam/edit", {**EDIT, "version": version}).status == 200
+    kept, outside = folder / ".studio" / "journals" / "exam" / "journal.json", folder.parent / "secret.csv"
+    outside.write_text("id,name\n1,Secret\n")
+    steps = json.loads(kept.read_text())["steps"]
+    for deed in (
+        {"kind": "list", "before": "../../../../secret", "after": ""},
+        {"kind": "list"}, {"kind": "no"}, {"x": "y"},
+        {"kind": "file", "build": "../x", "file": "../exam.toml", "kept": ""},
+        {"kind": "file", "build": "exam-2026-01-02", "file": "../../exam.toml", "kept": "../../../secret.csv"},
+        {"kind": "answer", "build": "exam", "code": "x", "problem": "no", "quantity": "", "before": "", "after": ""},
+    ):  # fmt: skip
+        kept.write_text(json.dumps({"done": 1, "steps": [{**steps[0], "deed": deed}]}))
+        studio = Studio(Workspace(folder))
+        own = Asking(make_app(studio, TOKEN, PORT), COOKIE)
+        now = own.get("/exam/state").json()
+        assert own.post("/exam/undo", {"version": now["version"]}).status in (400, 404), deed
+        assert own.get("/exam/state").json()["undo"] == "", deed  # it is struck out
+        studio.close()
+    assert not (folder / "roster.csv").exists() and "Taken" in (folder / "exam.toml").read_text()
 
 
 @pytest.mark.parametrize("kind", ["text/plain", "application/x-www-form-urlencoded", "multipart/form-data", ""])
@@ -332,6 +404,7 @@ SCRIPT = "<script>alert(1)</script><img src=x onerror=alert(1)>\"'`{{7*7}}</titl
 
 
 def test_texts_are_never_markup(client: Asking, folder: Path) -> None:
+    """Script in every text of an exam and of a class list, known families and unknown ones, on all pages and pieces."""
     operations = [{"op": "set", "path": name, "value": SCRIPT} for name in ("title", "course")]
     version = client.get("/exam/state").json()["version"]
     assert client.post("/exam/edit", {"operations": operations, "version": version}).status == 200
@@ -340,6 +413,29 @@ def test_texts_are_never_markup(client: Asking, folder: Path) -> None:
         page = client.get(path).text
         assert "<script>alert" not in page and "onerror=alert(1)>" not in page and "<b>.toml" not in page
         assert "&lt;script&gt;alert" in page and "49" not in page.replace("49 ", "")
+    keys = ("title", "course", "date", "duration", "instructions", "language", "seed")
+    top = "schema = 1\n" + "".join(f"{key} = {json.dumps(SCRIPT)}\n" for key in keys)
+    inner = "".join(f"{key} = {json.dumps(SCRIPT)}\n" for key in ("family", "form", "ask", "nice", "points", "units"))
+    lists = f'family = "four_bar"\nform = {json.dumps([SCRIPT])}\nask = {json.dumps([SCRIPT])}\n'
+    keyed = f"set = {{ {json.dumps(SCRIPT)} = {json.dumps(SCRIPT)} }}\nrange = {{ {json.dumps(SCRIPT)} = [1, 2] }}\n"
+    pool = f"families = [{json.dumps(SCRIPT)}, {json.dumps(SCRIPT)}]\n"
+    problems = "".join(f"[[problem]]\n{own}" for own in (inner, lists + keyed, pool))
+    (folder / "exam.toml").write_text(f"{top}{json.dumps(SCRIPT)} = 1\n{problems}")
+    quoted = '"' + SCRIPT.replace('"', '""') + '"'
+    (folder / "roster.csv").write_text(f"id,name,group\n{quoted},{quoted},{quoted}\n1,Ann,{quoted}\n")
+    for language in ("en", "ru"):
+        for path in (
+            "/?all", *(f"/exam/{name}" for name in ("choose", "compose", "roster", "build", "mark", "play", "author")),
+            "/exam/outline", "/exam/problem/1", "/exam/problem/2", "/exam/problem/3", "/exam/roster/shown",
+            "/exam/cards", "/exam/archive", "/exam/play/mechanisms", "/exam/motion/1/1", "/exam/sheet/1",
+        ):  # fmt: skip
+            mark = "&" if "?" in path else "?"
+            answer = client.get(f"{path}{mark}lang={language}", accept="text/html")
+            assert answer.status in (200, 303, 400, 404), (path, answer.text[:300])
+            page = answer.text
+            if answer.headers.get("content-type", "").startswith("application/json"):
+                page = str(answer.json().get("html", ""))
+            assert "<script>alert" not in page and "onerror=alert(1)>" not in page, (path, language)
 
 
 def test_every_answer_has_the_policy(client: Asking) -> None:

@@ -11,8 +11,9 @@ import pytest
 
 from tests.studio.conftest import EXAM
 from variantgen.errors import InputError
-from variantgen.studio.documents.document import ConflictError, Document, Mistake, RefusedError
+from variantgen.studio.documents.document import ConflictError, Document, RefusedError
 from variantgen.studio.documents.edits import apply, read_operations
+from variantgen.studio.documents.mistakes import Mistake
 from variantgen.studio.documents.toml_lines import parse_path, places
 
 TRICKY = '''\

@@ -168,15 +168,32 @@ def test_a_class_of_108_goes_the_whole_way(visit: Callable[..., Visit], tmp_path
     assert window.complaints == []
 
 
-def test_doubtful_readings_are_decided(asking: Asking, course: Path, scan_exam: Built, tmp_path: Path) -> None:
+def test_doubtful_readings_are_decided(
+    asking: Asking, course: Path, scan_exam: Built, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """A faint digit waits with its picture; what somebody reads is in review.csv and stands for the command, too."""
+    told: list[dict[str, object]] = []
+    monkeypatch.setattr("variantgen.studio.events.Events.tell", lambda _, event, **data: told.append(data))
     own = scan_exam.key[1]
     page = filled(scan_exam.pages[1], [*(written(value) for _, value in own[:-1]), "77"], [(4, 3, 5, 200)])
-    page.save(tmp_path / "scan.pdf", resolution=150)
+    torn = scan_exam.pages[2].copy()
+    torn.paste(255, (0, 0, torn.width, 400))  # its code is gone
+    page.save(tmp_path / "scan.pdf", resolution=150, save_all=True, append_images=[torn])
     assert bring(asking, (tmp_path / "scan.pdf").read_bytes(), "My scan.pdf").status == 200
     code = scan_exam.code(1)
     found = shown(asking, code=code)
     assert found.count('class="doubtrow"') == 1 and "a faint mark" in found
+    assert told == [{"build": BUILD, "file": "My scan.pdf", "done": n, "total": 2} for n in (1, 2)]
+    # What it may say, what that would be worth, how dark the bubble is, what the student has at least and at most.
+    assert re.findall(r'data-reading="([^"]*)"', found) == ["775", "77", "-"]
+    assert found.count("digit 3: 5") == 1 and 10 < int(re.search(r"(\d+) %</span>", found)[1]) < 50  # type: ignore[index]
+    assert re.search(r"<strong>8–9 <small>of 9", found)
+    listed = asking.get(f"/exam/mark/list?build={BUILD}&lang=ru").text
+    assert (
+        "Не прочитаны страницы: 1" in listed and "My scan.pdf, страница 2" in listed and "код листа не виден" in listed
+    )
+    assert asking.get(f"/exam/mark/lost/0?build={BUILD}").content[1:4] == b"PNG"
+    assert asking.get(f"/exam/mark/lost/1?build={BUILD}").status == 404
     picture = asking.get(f"/exam/mark/picture?build={BUILD}&code={code}&problem=2&quantity=v_O")
     assert picture.headers["content-type"] == "image/png" and picture.content[1:4] == b"PNG"
     assert 'class="doubtrow"' in shown(asking, view="questions", problem="2", quantity="v_O")
@@ -216,6 +233,39 @@ def test_typed_answers_stand_before_tables_and_are_taken_back(asking: Asking, co
     assert asking.post(f"/exam/mark/drop?build={BUILD}", {"file": "answers-1.csv"}).status == 200
     assert "Handed in: 0 of 3" in asking.get(f"/exam/mark/list?build={BUILD}").text
     assert asking.get(f"/exam/mark/find?build={BUILD}&who=young").json() == {"code": scan_exam.code(2)}
+
+
+def test_what_is_done_to_marks_is_taken_back_in_its_turn(asking: Asking, course: Path, scan_exam: Built) -> None:
+    """By the undo of the exam: an answer, a file, the rules; and done again."""
+    marks, (name, value) = course / "marks" / BUILD, scan_exam.key[0][0]
+    problem, quantity = int(name.partition(".")[0]), name.partition(".")[2]
+
+    def moved(how: str) -> str:
+        """Undo or redo; what comes next."""
+        version = asking.get("/exam/state").json()["version"]
+        assert asking.post(f"/exam/{how}", {"version": version}).status == 200, how
+        found: str = asking.get("/exam/state").json()["undo"]
+        return found
+
+    def typed() -> list[list[str]]:
+        return list(csv.reader((marks / "typed.csv").read_text().splitlines()))[1:]
+
+    assert bring(asking, f"student,{name}\n{scan_exam.code(0)},5\n".encode()).status == 200
+    for text in (f"{-value:.5g}", f"{value:.5g}"):
+        assert say(asking, scan_exam.code(0), problem, quantity, text).status == 200
+    asking.post(f"/exam/mark/drop?build={BUILD}", {"file": "answers-1.csv"})
+    asking.post(f"/exam/mark/policy?build={BUILD}", {"fields": {"sign": "40"}, "use": True})
+    rules = (marks / "policy.toml").read_text()
+    assert asking.get("/exam/state").json()["undo"] == "rules of marking"
+    assert moved("undo") == "file answers.csv removed" and not (marks / "policy.toml").exists()
+    answer = f"answer {name} of the sheet {scan_exam.code(0)}"
+    assert moved("undo") == answer and (marks / "answers-1.csv").exists()
+    assert moved("undo") == answer and typed()[0][3] == f"{-value:.5g}"
+    assert moved("undo") == "file answers.csv" and typed() == []
+    assert moved("undo") == "" and not (marks / "answers-1.csv").exists()
+    assert [moved("redo") for _ in range(5)][-1] == "rules of marking"
+    assert typed()[0][3] == f"{value:.5g}" and (marks / "policy.toml").read_text() == rules
+    assert not (marks / "answers-1.csv").exists()
 
 
 def boxes(asking: Asking, code: str) -> dict[str, tuple[str, str]]:
@@ -282,6 +332,8 @@ def test_nothing_is_removed_or_replaced_for_good(asking: Asking, course: Path, s
     assert bring(asking, table).status == 200
     kept = asking.post(f"/exam/mark/drop?build={BUILD}", {"file": "answers-1.csv"}).json()["kept"]
     assert not (marks / "answers-1.csv").exists() and (marks / "bin" / kept).read_bytes() == table
+    listed = asking.get(f"/exam/mark/list?build={BUILD}").text
+    assert "Removed: 1" in listed and f'data-back="{kept}" aria-label="Put back answers.csv"' in listed
     assert bring(asking, b"student,1.v_B\nAnn Lee,6\n").status == 200
     assert asking.post(f"/exam/mark/restore?build={BUILD}", {"kept": kept}).status == 200
     assert (marks / "answers-1.csv").read_bytes() == table and (marks / "answers-2.csv").is_file()
@@ -370,6 +422,15 @@ def test_markings_follow_no_links(asking: Asking, course: Path) -> None:
     outside.mkdir()
     (course / "marks").symlink_to(outside)
     assert bring(asking, b"student,1.v_B\nAnn Lee,5\n").status == 400
+    # Folders that become links while the page is open.
+    (course / "marks").unlink()
+    assert bring(asking, b"student,1.v_B\nAnn Lee,5\n").status == 200
+    (course / "marks" / BUILD / "bin").symlink_to(outside)
+    assert asking.post(f"/exam/mark/drop?build={BUILD}", {"file": "answers-1.csv"}).status == 400
+    (course / "marks" / BUILD).rename(course / "before")
+    (course / "marks" / BUILD).symlink_to(outside)
+    assert bring(asking, b"student,1.v_B\nAnn Lee,5\n").status == 400
+    assert asking.post(f"/exam/mark/policy?build={BUILD}", {"fields": {"sign": "40"}, "use": True}).status == 400
     assert list(outside.iterdir()) == []
 
 

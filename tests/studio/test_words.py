@@ -7,10 +7,13 @@ import re
 import tomllib
 from string import Formatter
 
+import pytest
+from jinja2 import Environment, TemplateSyntaxError
+
 from variantgen.errors import InputError, Problem
 from variantgen.families.folders import family_names
 from variantgen.families.load import load_family
-from variantgen.studio.messages import error_text, in_language
+from variantgen.studio.messages import command_text, error_text, in_language
 from variantgen.studio.words import ASSETS, LANGUAGES
 
 PARTS = ("choose", "compose", "build", "roster", "mark", "play")  # pages whose pieces are templates of their own
@@ -86,3 +89,45 @@ def test_messages_of_the_studio_are_told_in_russian() -> None:
     assert (
         error_text(error, "ru") == "list.csv: row 3: номер стоит дважды (получено 7)\n    этот номер и у другой: row 2"
     )
+
+
+def in_russian(text: str) -> bool:
+    """Whether no English word is left; names in quotes are those of the file."""
+    return not re.search(r"[a-z]{3,}", re.sub(r"'[^']*'", "", text).replace("TOML", ""))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a = ", "a b", "a = 1 2", "[a", "[[a]", "a = [1", "a = {b = 1", "a = 1\na = 2", "[a]\n[a]", 'a = "x',
+        "= 1", "a = 1,5", 'a = "\\q"', 'a = "\x01"', "a = 2026-13-01", "a = {b = 1, b = 2}",
+        "a = [1]\n[[a]]", "a = '''x",
+    ],
+)  # fmt: skip
+def test_what_the_reader_of_toml_says_is_told_in_russian(text: str) -> None:
+    with pytest.raises(tomllib.TOMLDecodeError) as error:
+        tomllib.loads(text)
+    told = in_language(f"is not valid TOML: {error.value}", "ru")
+    assert in_russian(told), told
+    assert re.search(r"\(строка [12]|\(в конце файла", told)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "{{ a", "{{ a b }}", "{% if a %}", "{% wish %}", "{% if a %}{% endfor %}", "{# a", "{{ a | b }}",
+        "{{ 1 is b }}", "{{ ! }}", "{% endif %}",
+    ],
+)  # fmt: skip
+def test_what_the_reader_of_templates_says_is_told_in_russian(text: str) -> None:
+    with pytest.raises(TemplateSyntaxError) as error:
+        Environment().from_string(text)
+    told = in_language(f"line {error.value.lineno}: the template fails: {error.value.message}", "ru")
+    assert told.startswith("строка 1: ") and in_russian(told), told
+
+
+def test_what_a_command_says_is_told_in_russian() -> None:
+    said = "variantgen: /x/exam.toml: problem[1].tolerance: expected a number (got none)\n    did you mean 5?\n"
+    assert command_text(said, "en") == said.removeprefix("variantgen: ").strip()
+    told = "/x/exam.toml: problem[1].tolerance: ожидалось число (получено none)\n    имелось в виду 5?"
+    assert command_text(said, "ru") == told

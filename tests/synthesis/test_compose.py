@@ -214,6 +214,27 @@ def test_a_wheel_rolls_at_the_end(tmp_path: Path) -> None:
     assert motion.v[centre][0].imag == pytest.approx(0, abs=1e-12)
 
 
+def test_a_gear_at_the_end_is_turned_by_the_gear_on_a_link(tmp_path: Path) -> None:
+    """The other way round, in the ratio of the radii: by hand, from the data of the sheet."""
+    folder = tmp_path / "gear"
+    assert main(["compose", "--groups", "RRR,WR", "--seed", "1", "--out", str(folder)]) == 0
+    family = load_family(folder)
+    form = next(iter(family.forms.values()))
+    assert structures_of(form.sample) == {parse_code("RRR01-WR20")}
+    variant = draw(family, None, [("gear", 1)])[0]
+    motion = variant.motion()
+    radii = {name: float(variant.printed[name]) for name in ("R", "r")}
+    own = radii[str(form.figure.discs[1].name)]
+    other = sum(radii.values()) - own
+    assert motion.omega["gear1"][0] * own == pytest.approx(-motion.omega["O1B"][0] * other, rel=1e-9)
+
+
+@pytest.mark.parametrize("text", ["RRR01-WR30", "RRP10-WR30", "RRR01-WR20-RRR04"])
+def test_a_gear_hangs_on_a_link_about_a_fixed_axis(text: str) -> None:
+    with pytest.raises(InputError, match="code of a structure"):
+        parse_code(text)
+
+
 @pytest.mark.parametrize("text", ["RRW01", "RRW12", "RRW10-RRR02-RRR30", "RRR01-RRW20-RPR50"])
 def test_a_wheel_hangs_on_a_rod_and_carries_nothing(text: str) -> None:
     with pytest.raises(InputError, match="code of a structure"):
@@ -223,7 +244,7 @@ def test_a_wheel_hangs_on_a_rod_and_carries_nothing(text: str) -> None:
 def test_structures_are_listed_and_drawn(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["list", "--structures"]) == 0
     lines = capsys.readouterr().out.splitlines()
-    assert len(lines) == 6 + 68 + 9  # those that end with a rolling wheel in the place of a slider
+    assert len(lines) == 6 + 68 + 9 + 3  # those that end with a rolling wheel, and with a gear
     assert next(line for line in lines if line.startswith("RRR01 ")).split()[1:4] == ["easy", "four_bar", "crank,"]
     page = tmp_path / "structures.html"
     assert main(["list", "--structures", "--links", "3", "--figure", str(page)]) == 0
@@ -240,3 +261,14 @@ def test_its_solution_is_written_by_three_methods(made: Path) -> None:
     assert all(len(found.answers) == len(asked) for found in written)
     said = [item.key for step in written[0].steps for item in step.items if isinstance(item, Sentence)]
     assert "turning.same_omega" in said
+
+
+@pytest.mark.parametrize("name", ["RRP10-RRP03-RRR45", "RRR01-RRP12-RRR45"])
+def test_links_that_hang_on_a_sliding_block_are_reached(name: str, tmp_path: Path) -> None:
+    """Its last rods are pinned to a rod that carries a block and to an arm of this block, link by link."""
+    assert main(["compose", "--structure", name, "--seed", "1", "--out", str(tmp_path / "made")]) == 0
+    variant = draw(load_family(tmp_path / "made"), None, [("methods", 1)])[0]
+    asked = read_ask(variant.form)
+    task = task_of(variant, variant.motion(), 0, asked)
+    for method in ("velocity_centre", "graphical"):
+        assert len(solution(task, [method]).answers) == len(asked)

@@ -66,10 +66,10 @@ class Value(Expression):
     ``name`` None is a number that stands for itself (the angle in a projection). ``measure`` is what it measures, as
     in :mod:`variantgen.families.units`. ``size`` is its natural scale: what is tiny beside it is zero. ``unit`` is the
     name of a unit other than the usual one of its measure, in which it is given. ``noted`` is room for what was found
-    out of it (:func:`variantgen.methods.geometry.angle_sums.angle_sum`).
+    out of it (:func:`variantgen.methods.geometry.angle_sums.angle_sum`), ``made_of`` for the values in its expression.
     """
 
-    __slots__ = ("exact", "expression", "measure", "name", "noted", "shown", "size", "unit")
+    __slots__ = ("exact", "expression", "made_of", "measure", "name", "noted", "shown", "size", "unit")
 
     def __init__(
         self,
@@ -88,6 +88,7 @@ class Value(Expression):
         self.size = size
         self.unit = unit
         self.noted: object = None
+        self.made_of: tuple[Expression | None, tuple[Value, ...]] = (None, ())
 
     def number(self, exact: bool) -> float:
         """The full or the printed number."""

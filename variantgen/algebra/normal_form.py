@@ -8,8 +8,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
 from typing import TypeAlias
 
+from variantgen.algebra.decimals import decimals_of
 from variantgen.algebra.expression import (
     Applied,
     Constant,
@@ -22,11 +24,15 @@ from variantgen.algebra.expression import (
     Total,
     total,
 )
+from variantgen.algebra.values import walk
 
 Maybe: TypeAlias = Expression | None
 Signed: TypeAlias = tuple[int, Expression]
 Powers = dict[Expression, int]  # exponents by factor
 _ONE = Constant(1.0)
+_SMALL = 100  # the largest denominator of a fraction
+_ROUNDING = 1e-12  # relative
+_SHORT = 3  # digits after the point
 
 
 def signed(item: Expression) -> Signed:
@@ -115,17 +121,36 @@ def product(*items: Maybe) -> Maybe:
 def simplified(item: Expression) -> Expression:
     """A product as one fraction with its number in simplest form, a sum term by term.
 
-    Derivatives of laws of motion come as ``g * (2 t) / 2``; a reader expects ``g t``.
+    Derivatives of laws of motion come as ``g * (2 t) / 2`` or ``3 t^2 / 4``; a reader expects ``g t``, and no decimal
+    where a fraction of small numbers stood: ``(3/4) t^2``, but ``0.4 t``.
     """
     if isinstance(item, Total) and len(item.terms) > 1:
         return summed((sign, simplified(term)) for sign, term in item.terms)
     powers = Powers()
     number = _collected(item, 1, powers, fractions=True)
     size = abs(number)
-    top, bottom = (size, 1.0) if size >= 1 or size == 0 else (1.0, 1.0 / size)
+    if not any(powers.values()) and decimals_of(size) <= _SHORT:
+        return _signed_by(number, Constant(size))
+    top, bottom = _as_fraction(size, _is_fraction(item))
     above = _multiplied(top, {base: exponent for base, exponent in powers.items() if exponent > 0})
     below = _multiplied(bottom, {base: -exponent for base, exponent in powers.items() if exponent < 0})
     return _signed_by(number, above if below == _ONE else Ratio(above, below))
+
+
+def _is_fraction(item: Expression) -> bool:
+    """Whether something is divided in an expression, and all its numbers are whole."""
+    found = list(walk(item))
+    numbers = [part.value for part in found if isinstance(part, Constant)]
+    return any(isinstance(part, Ratio) for part in found) and all(number == int(number) for number in numbers)
+
+
+def _as_fraction(size: float, of_fractions: bool) -> tuple[float, float]:
+    """A number as numerator and denominator: of small whole numbers where it is made ``of_fractions``, else 1 below."""
+    fraction = Fraction(size).limit_denominator(_SMALL)
+    is_short = abs(float(fraction) - size) <= _ROUNDING * size
+    if is_short and (of_fractions or fraction.numerator == 1):
+        return float(fraction.numerator), float(fraction.denominator)
+    return (size, 1.0) if size >= 1 or size == 0 or decimals_of(size) <= _SHORT else (1.0, 1.0 / size)
 
 
 def _collected(item: Expression, exponent: int, powers: Powers, fractions: bool = False) -> float:

@@ -10,6 +10,7 @@ from variantgen.algebra.expression import (
     Applied,
     Constant,
     Expression,
+    Magnitude,
     Pi,
     Raised,
     Ratio,
@@ -38,7 +39,9 @@ _TAKEN = {*_OWN, *keyword.kwlist}
 
 
 def identifier(name: Name) -> str:
-    """A variable for a quantity: ``x_A``, ``phi_OA``, ``OA``; ``v_0`` for a given v."""
+    """A variable for a quantity: ``x_A``, ``phi_OA``, ``OA``; ``v_0`` for a given v, ``s_dot`` for its derivative."""
+    if name.kind == "parameter" and name.dots:
+        return f"{name.of}_{'d' * name.dots}ot"
     if name.kind == "parameter":
         return f"{name.of}_0" if name.of in _TAKEN else name.of
     if name.kind == "length":
@@ -76,6 +79,8 @@ def written(item: Expression, names: Mapping[Value, str]) -> str:
             return f"{enclosed(base, names, tight=True)}**{exponent}"
         case SquareRoot(inner):
             return f"np.sqrt({written(inner, names)})"
+        case Magnitude(inner):
+            return f"abs({written(inner, names)})"
         case Applied(function, argument) if function in _FUNCTIONS:
             return f"{_FUNCTIONS[function]}({written(argument, names)})"
     raise TypeError(f"no program for {item!r}")

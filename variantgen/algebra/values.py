@@ -11,23 +11,39 @@ def in_order(values: Iterable[Value], known: Collection[Value] = ()) -> list[Val
     """The values and all that they are computed from, each after those that it needs; without what is ``known``."""
     found: dict[Value, None] = {}
 
-    def visit(item: Expression) -> None:
-        if not isinstance(item, Value):
-            for operand in item.operands():
-                visit(operand)
-        elif item not in found and item not in known:
-            if item.expression is not None:
-                visit(item.expression)
-            found[item] = None
+    def visit(value: Value) -> None:
+        for part in made_of(value):
+            if part not in found and part not in known:
+                visit(part)
+        found[value] = None
 
     for value in values:
-        visit(value)
+        if value not in found and value not in known:
+            visit(value)
     return list(found)
 
 
+def made_of(value: Value) -> tuple[Value, ...]:
+    """The values in its expression, from left to right; found once, because every pass over a solution asks it."""
+    whole, found = value.made_of
+    if whole is not value.expression:
+        whole = value.expression
+        found = () if whole is None else tuple(parts(whole))
+        value.made_of = whole, found
+    return found
+
+
 def parts(item: Expression) -> list[Value]:
-    """The values in an expression."""
-    return [item] if isinstance(item, Value) else [value for operand in item.operands() for value in parts(operand)]
+    """The values in an expression, from left to right."""
+    found: list[Value] = []
+    waiting = [item]
+    while waiting:
+        part = waiting.pop()
+        if isinstance(part, Value):
+            found.append(part)
+        else:
+            waiting += reversed(part.operands())
+    return found
 
 
 def walk(item: Expression) -> Iterator[Expression]:

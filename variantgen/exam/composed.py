@@ -35,7 +35,7 @@ _LOOKED_AT = 3  # variants whose figures are drawn
 _COUNTED = 15  # variants whose work is counted where it matters
 _ROUGHLY = 1.25  # one variant tells the work so well
 _TRIES = 4  # layouts of a structure whose work matters
-_LINE, _MOST_LINES = 64, {3: 8, 5: 8, 7: 10}  # characters of a line beside a figure; lines by moving links
+_LINE, _MOST_LINES = 64, {3: 8, 4: 8, 5: 8, 6: 9, 7: 10}  # characters of a line beside a figure; lines by moving links
 _KEY = ("compose", 0)  # in the place of student and problem
 
 

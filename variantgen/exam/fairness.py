@@ -188,7 +188,7 @@ def _fullest(
     if not works:
         return None
     rows, counts = np.array([*works]), np.array([*works.values()])
-    starts = np.array([*product(*map(np.unique, rows.T))])
+    starts = np.array([*product(*(sorted(set(column)) for column in rows.T.tolist()))])
     ends = starts + _SPREAD
     ends[:, 0] = np.minimum(np.floor(starts[:, 0] * (1.0 + width) + 1e-9), wanted[1])
     starts[:, 0] = np.maximum(starts[:, 0], wanted[0])

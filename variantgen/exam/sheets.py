@@ -6,7 +6,6 @@ import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
-from math import degrees
 
 from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.exam.exam_file import ExamProblem
@@ -137,9 +136,9 @@ def solve_all(
     return [found[i] for i in range(len(variants))]
 
 
-def _tolerance(quantity: Quantity, value: float, relative_tolerance: float) -> float:
+def _tolerance(quantity: Quantity, unit: Unit, value: float, relative_tolerance: float) -> float:
     """Absolute tolerance in the printed unit: of an angle the like part of a radian."""
-    return float(f"{relative_tolerance * (degrees(1.0) if quantity.is_angle else abs(value)):.3g}")
+    return float(f"{relative_tolerance * (unit.from_si(1.0) if quantity.is_angle else abs(value)):.3g}")
 
 
 def answers_of(
@@ -226,11 +225,13 @@ def _answers(
         motion, places = solved[members[0]][0], [solved[i][1] for i in members]
         own = [variants[i] for i in members]
         confirm_answers(own, quantities, motion, places)
+        # Before the tolerances, which begin with the same values: several may be of one turn of the crank, found once.
+        numbers = [quantity.value(motion)[places] for quantity in quantities]
         needed = answer_tolerances.tolerances(own, quantities, motion, places)
         length = variants[members[0]].family.length_unit
         table = [
-            _column(quantity, quantity.unit(length), quantity.value(motion)[places], by_hand)
-            for quantity, by_hand in zip(quantities, needed, strict=True)
+            _column(quantity, quantity.unit(length), computed, by_hand)
+            for quantity, computed, by_hand in zip(quantities, numbers, needed, strict=True)
         ]
         found.update(zip(members, zip(*table, strict=True), strict=True))
     return [found[i] for i in range(len(variants))]
@@ -245,5 +246,5 @@ def _column(quantity: Quantity, unit: Unit, numbers: Field, needed: Field) -> li
         value = recorded(quantity, number)
         own = 0.0 if quantity.component == "sense" else relative_tolerance  # a sense is right or wrong
         exact = surd(number) if root else None
-        found.append(Answer(quantity, unit, value, _tolerance(quantity, value, own), own, exact))
+        found.append(Answer(quantity, unit, value, _tolerance(quantity, unit, value, own), own, exact))
     return found

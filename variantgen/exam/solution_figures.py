@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
 from variantgen.errors import InputError
 from variantgen.families.quantities import Quantity, split_name
@@ -82,7 +82,6 @@ class SolutionFigures:
         self._geometry = text.geometry if text else {}
         self._true_scale = bool(text and text.true_scale)
         self._shown = (*asked, *(text.centres if text else ()))
-        self._subject = FigureSubject(variant, *place, self._shown, language, true_scale=self._true_scale)
         self._drawn: dict[str, Drawing] = {} if known is None else {STATEMENT: known}
 
     def draw(self, names: Sequence[str]) -> None:
@@ -109,12 +108,21 @@ class SolutionFigures:
             drawn = solved_grid(self.variant, which, self.language)
         elif which:
             marked = self._geometry.get(name, NOTHING_MARKED)
-            subject = replace(self._subject, geometry=marked, unmarked=self._subject)
+            subject = FigureSubject(
+                self.variant, *self._place, self._shown, self.language, self._poses, marked, self._true_scale
+            )
             drawn = view(kind).draw(subject, self._vectors, which)
         else:
             scaled = {} if kind.endswith("_plan") else {"true_scale": self._true_scale}
             drawn = view(kind).draw(self.variant, *self._place, self._shown, self.language, self._vectors, **scaled)
         return drawn
+
+    @property
+    def _poses(self) -> Mapping[str, float]:
+        """How the supports stand in the figure of the statement."""
+        if STATEMENT not in self._drawn:
+            self._drawn[STATEMENT] = self.figure(STATEMENT)
+        return self._drawn[STATEMENT].poses
 
     def rows(self) -> tuple[tuple[SolutionFigure, ...], ...]:
         """Rows of figures as they fit beside each other on paper."""

@@ -6,10 +6,11 @@ meshes or winds up a rope is a circle. A slot in a plate or in a disc is a groov
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
-from variantgen.families.expressions import parse
+from variantgen.families.expressions import FamilyExpression, parse
 from variantgen.families.family import Form
 from variantgen.families.figure_hints import DiscMark, FigureHints
 from variantgen.mechanism.joints.gears import Gears
@@ -36,34 +37,73 @@ def with_drawn_bodies(form: Form) -> Form:
     said |= {body for body, own in form.bodies.items() for line in hints.lines if set(line) <= set(own)}
     circles = list(_circles(form, at))
     for body, members in form.bodies.items():
-        own = [(centre, radius) for wheel, centre, radius in circles if wheel == body]
+        own = [circle for circle in circles if circle.body == body]
         if body in said:
             continue
         if own:
-            hints = _wheel(hints, body, own, _pins(form, body), at)
+            hints = _wheel(hints, body, own, _pins(form, body), at, form.parameters)
         elif len(members) > 2:
             hints = _link(hints, body, members, at)
     return replace(form, figure=_with_grooves(form, hints))
 
 
-def _circles(form: Form, at: Places) -> Iterator[tuple[str, str, float]]:
-    """Bodies that are round, with the centre and the radius (m) of each of their circles."""
-    for joint in form.sample.joints:
+class _Circle(NamedTuple):
+    """A circle of a round body: its radius in metres, and as the file states it where it does."""
+
+    body: str
+    centre: str
+    radius: float
+    stated: object = None
+
+    @property
+    def expression(self) -> FamilyExpression:
+        """The radius as it is stated, or as a number."""
+        return self.stated if isinstance(self.stated, FamilyExpression) else parse(f"{self.radius!r} * m")
+
+
+def _circles(form: Form, at: Places) -> Iterator[_Circle]:
+    """The circles of bodies that are round."""
+    for template, joint in zip(form.joints, form.sample.joints, strict=True):
+        stated = template.fields.get("radius")
         match joint:
             case Rolling(body=body, centre=centre, contact=contact):
-                yield body, centre, abs(at[contact] - at[centre])
+                yield _Circle(body, centre, abs(at[contact] - at[centre]), _stated_distance(form, contact, centre))
             case RollingOnCircle(body=body, centre=centre, radius=radius, around=around, inside=inside, on=on):
-                yield body, centre, float(radius)
+                yield _Circle(body, centre, float(radius), stated)
                 if on is not None:
-                    yield on, around, _other_radius(at, centre, around, float(radius), inside)
+                    yield _Circle(on, around, _other_radius(at, centre, around, float(radius), inside))
             case Gears(body=body, centre=centre, radius=radius, other_centre=around, other=other, inside=inside):
-                yield body, centre, float(radius)
+                yield _Circle(body, centre, float(radius), stated)
                 if other is not None:
-                    yield other, around, _other_radius(at, centre, around, float(radius), inside)
+                    yield _Circle(other, around, _other_radius(at, centre, around, float(radius), inside))
             case Rope(path=path):
                 for bend in path:
                     if bend.body is not None and float(bend.radius) > 0:
-                        yield bend.body, bend.point, float(bend.radius)
+                        yield _Circle(bend.body, bend.point, float(bend.radius))
+
+
+def _stated_distance(form: Form, first: str, second: str) -> object:
+    """The distance of two points as one of them is placed: at it from the other, or along an axis from it."""
+    for point, other in ((first, second), (second, first)):
+        fields = form.points[point].fields
+        if fields.get("origin") == other and "distance" in fields:
+            return fields["distance"]
+    places = [form.points[point].fields for point in (first, second)]
+    for axis, across in (("x", "y"), ("y", "x")):
+        if all(axis in fields and across in fields for fields in places):
+            (one, two), same = [fields[axis] for fields in places], _are_alike(*(f[across] for f in places))
+            length = next((b for a, b in ((one, two), (two, one)) if _is_zero(a)), None)
+            if same and isinstance(length, FamilyExpression) and length.text.isidentifier():
+                return length
+    return None
+
+
+def _are_alike(first: object, second: object) -> bool:
+    return getattr(first, "tree", first) == getattr(second, "tree", second)
+
+
+def _is_zero(value: object) -> bool:
+    return isinstance(value, FamilyExpression) and not value.names and float(value.value({})) == 0
 
 
 def _other_radius(at: Places, centre: str, around: str, radius: float, inside: bool) -> float:
@@ -79,16 +119,22 @@ def _pins(form: Form, body: str) -> list[str]:
 
 
 def _wheel(
-    hints: FigureHints, body: str, circles: Sequence[tuple[str, float]], pins: Sequence[str], at: Places
+    hints: FigureHints,
+    body: str,
+    circles: Sequence[_Circle],
+    pins: Sequence[str],
+    at: Places,
+    given: Collection[str],
 ) -> FigureHints:
     """Its circles, each once, and an arm to each pin beyond them."""
     marks: list[DiscMark] = []
     kept: list[float] = []
-    for centre, radius in circles:
-        if not any(abs(radius - other) <= _SAME * other for other in kept):
-            kept.append(radius)
-            marks.append(DiscMark(centre, parse(f"{radius!r} * m"), body=body))
-    centre, largest = circles[0][0], max(kept)
+    for circle in circles:
+        if not any(abs(circle.radius - other) <= _SAME * other for other in kept):
+            kept.append(circle.radius)
+            name = circle.expression.text if circle.expression.text in given else ""
+            marks.append(DiscMark(circle.centre, circle.expression, name, body))
+    centre, largest = circles[0].centre, max(kept)
     arms = tuple((centre, pin) for pin in pins if abs(at[pin] - at[centre]) > (1 + _SAME) * largest)
     return replace(hints, discs=(*hints.discs, *marks), lines=(*hints.lines, *arms))
 

@@ -12,6 +12,7 @@ from typing import Any
 from variantgen.families.draw_rules import HandFriendly, Pose, Screens, TiedValues
 from variantgen.families.expressions import FamilyExpression
 from variantgen.families.figure_hints import FigureHints
+from variantgen.families.laws import Law
 from variantgen.families.machine import Machine
 from variantgen.families.parameter import Parameter
 from variantgen.families.quantities import Quantity, is_quantity, quantity_names
@@ -70,7 +71,7 @@ class Form:
     figure: FigureHints = FigureHints()
     symbols: Mapping[str, str] = field(default_factory=dict)
     nice: HandFriendly = field(default_factory=HandFriendly)
-    laws: Mapping[str, str] = field(default_factory=dict)
+    laws: Mapping[str, Law] = field(default_factory=dict)
     ties: TiedValues | None = None
     nouns: Mapping[str, str] = field(default_factory=dict)  # what a body is called in a solution
     machine: Machine | None = None  # its size class; without one nothing is too large or too fast

@@ -15,7 +15,7 @@ from variantgen.families.expressions import FamilyExpression, parse
 from variantgen.families.family import ComponentTemplate, Form
 from variantgen.families.hints import check_marks, read_figure, read_pose, read_screens
 from variantgen.families.implied import with_blocks, with_stations
-from variantgen.families.laws import fed_measures, measured_law, split_law
+from variantgen.families.laws import Law, fed_measures, measured_law, split_law
 from variantgen.families.machine import read_machine
 from variantgen.families.nice import read_nice
 from variantgen.families.parameter import Parameter
@@ -56,7 +56,7 @@ class FormReader:
         self.derived: dict[str, FamilyExpression] = {}
         self.dimensions: dict[str, Dimension] = {}
         self.kinds: dict[str, Kind] = {}  # which of them are angles
-        self.laws: dict[str, str] = {}  # laws of time, each with the unit of its plain numbers or ''
+        self.laws: dict[str, Law] = {}
         self._values = 0
         self._length = length
         self._templates = TemplateReader(self.expression, unit(length))
@@ -242,7 +242,7 @@ class FormReader:
                     moving[name] = law
                 dimension = self._define(name, law, stated.dimension if stated else None)
                 plain = named.name if named else self._length if dimension == (1, 0) else "rad"
-                self.laws[name] = plain if stated else ""
+                self.laws[name] = Law(plain if stated else "", dimension == (1, 0))
                 for i, suffix in enumerate(("_dot", "_ddot"), start=1):
                     law = law.derivative(time)
                     self._define(name + suffix, law, (dimension[0], dimension[1] - i))

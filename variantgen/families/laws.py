@@ -21,6 +21,13 @@ _MEASURES = {(1, 0): "length", (0, 0): "angle"}
 _SECTIONS = {"points": "constructions", "joints": "joints", "drivers": "drivers", "conditions": "conditions"}
 
 
+class Law(NamedTuple):
+    """A law of time: the unit of its plain numbers, empty where its parts have their own; a length or an angle."""
+
+    plain_unit: str
+    is_length: bool
+
+
 class MeasuredLaw(NamedTuple):
     """A law in SI, with what it measures."""
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from copy import copy
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Self
 
 from variantgen.families.family import Form
 from variantgen.families.literal_data import rate_name
@@ -103,6 +105,12 @@ class Board:
             derived = self.form.derived.get(name)
             found |= {name} if derived is None else self._sources(derived.names)
         return found
+
+    def copied(self) -> Self:
+        """The same board on a sheet of its own: what is drawn on one is not on the other."""
+        other = copy(self)
+        other.sketch, other.clear = self.sketch.copied(), dict(self.clear)
+        return other
 
     def symbol(self, name: str) -> Symbol:
         """The symbol of a point, parameter or quantity."""

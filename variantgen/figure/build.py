@@ -48,7 +48,8 @@ def statement_figure(
     drawn variants away from that; data fixed by hand may lead there).
     """
     board = mechanism(variant, motion, index, asked, language)
-    figure = replace(finished(board), tell=partial(_alt_text, board, asked), language=language.name)
+    tell = partial(_alt_text, board, asked)
+    figure = replace(finished(board), tell=tell, language=language.name, poses=board.poses)
     return with_graphs(figure, variant, language, grids)
 
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from enum import IntEnum
 from functools import cached_property
@@ -120,7 +120,7 @@ class Drawing:
     A place z (m) on paper is drawn at ``scale * z + origin``. ``language`` is that of the words. ``beyond`` are the
     letters of points to which lines lead that lie outside the paper. ``lengthened`` says that a vector is drawn longer
     than to scale, so that it is seen. ``rotations`` are the arcs of rotation among the lines. ``graphs`` is the height
-    of graphs below the figure of the mechanism.
+    of graphs below the figure of the mechanism. ``poses`` are the directions (rad) in which its supports stand.
     """
 
     width: float
@@ -135,6 +135,7 @@ class Drawing:
     lengthened: bool = False
     rotations: tuple[RotationArc, ...] = ()
     graphs: float = 0.0
+    poses: Mapping[str, float] = field(default_factory=dict, compare=False)
 
     @cached_property
     def alt(self) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import chain
 from typing import Any
 
@@ -26,6 +26,10 @@ class Obstacles:
         """Add the segments that stand for a line."""
         self._ends += chain.from_iterable(segments)
         self._weights += [weight] * len(segments)
+
+    def copied(self) -> Obstacles:
+        """The same, to which others are added."""
+        return replace(self, _ends=[*self._ends], _weights=[*self._weights])
 
     def segments(self) -> NDArray[np.complex128]:
         """All segments, shape (S, 2)."""

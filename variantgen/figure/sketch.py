@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -173,6 +173,23 @@ class Sketch:
     def label(self, request: LabelRequest) -> None:
         """Ask for a label."""
         self.requests.append(request)
+
+    def copied(self) -> Sketch:
+        """The same on a sheet of its own."""
+        return replace(
+            self,
+            at=dict(self.at),
+            lines=[*self.lines],
+            requests=[*self.requests],
+            busy={point: [*taken] for point, taken in self.busy.items()},
+            symbol_radius=dict(self.symbol_radius),
+            beyond=[*self.beyond],
+            rotations=[*self.rotations],
+            walls=[*self.walls],
+            round_walls=[*self.round_walls],
+            obstacles=self.obstacles.copied(),
+            _corners=[*self._corners],
+        )
 
     def corners(self) -> tuple[complex, complex]:
         """Lower left and upper right corner of what is drawn so far."""

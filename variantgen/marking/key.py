@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cached_property
-from math import degrees
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.exam.manifest import Manifest, RecordedProblem
@@ -140,4 +139,4 @@ def is_right(answer: Answer, value: float) -> bool:
 
 def scale(answer: Answer) -> float:
     """By what deviations from an answer are measured: its size, for an angle a radian."""
-    return degrees(1.0) if answer.quantity.is_angle else abs(answer.value)
+    return answer.unit.from_si(1.0) if answer.quantity.is_angle else abs(answer.value)

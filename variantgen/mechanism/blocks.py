@@ -141,7 +141,7 @@ def _fixing(free: Sequence[str]) -> str:
     """What fixes unknowns that nothing determines, by their names."""
     bodies = [name.removeprefix("omega of ") for name in free if name.startswith("omega of ")]
     text = "add a driver or a joint that fixes one of these"
-    if len(bodies) == len(free) == 1:
+    if len(bodies) == 1 and not any(name.startswith("velocity of ") for name in free):
         text += (
             f": nothing turns {bodies[0]}; a wheel rolls (rolling), meshes (gears) or has a rope on it, any body can be"
             " driven (rotation) or kept from turning (translation)"

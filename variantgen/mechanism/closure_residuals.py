@@ -68,7 +68,8 @@ class ClosureResiduals:
     def placement(self, q: Vector) -> Placement:
         """Positions and rotations for displacements q, shape (..., N, unknowns)."""
         z: dict[str, ComplexField] = dict(self.motion.z)
-        z.update(zip(self.home, np.moveaxis(self._carried(q, self._at_home), -1, 0), strict=True))
+        carried = self._carried(q, self._at_home)
+        z.update((point, carried[..., k]) for k, point in enumerate(self.home))
         for k, point in enumerate(self.single):
             i = 3 * len(self.motion.scene.bodies) + 2 * k
             z[point] = self.motion.z[point] + (q[..., i] + 1j * q[..., i + 1]) * self.length
@@ -107,8 +108,9 @@ class ClosureResiduals:
             turned = {body: turn - since.turned[body] for body, turn in at.turned.items()}
             counted = Placement(at.z, at.frame, turned)
         parts: list[Real] = []
-        for (point, _), again in zip(self.hinges, np.moveaxis(self._carried(q, self._again), -1, 0), strict=True):
-            gap = again - at.z[point]
+        again = self._carried(q, self._again)
+        for k, (point, _) in enumerate(self.hinges):
+            gap = again[..., k] - at.z[point]
             parts += [np.real(gap), np.imag(gap)]
         for constraint in self.motion.scene.constraints:
             parts += constraint.residual(counted, start, time)

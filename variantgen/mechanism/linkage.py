@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
+from variantgen.mechanism.joints.slot import Slot
 from variantgen.mechanism.rows import Constraint, Placement, ScalarRow, Shape, Sliding
 from variantgen.mechanism.scene import Scene, fixed_points
 
@@ -32,9 +33,11 @@ class Linkage:
 
     @property
     def translating(self) -> frozenset[str]:
-        """Bodies that a single joint keeps from turning."""
-        shapes = (shape for joint in self.scene.joints for shape in joint.shapes())
-        return frozenset(body for s in shapes if not s.points and len(s.bodies) == 1 for body in s.bodies)
+        """Bodies that a single joint keeps from turning, and sleeves on one of them that do not swivel."""
+        shapes = [shape for joint in self.scene.joints for shape in joint.shapes() if not shape.points]
+        held = {body for shape in shapes if len(shape.bodies) == 1 for body in shape.bodies}
+        sleeves = [(j.sleeve, j.body) for j in self.scene.joints if isinstance(j, Slot) and j.sleeve is not None]
+        return frozenset(held | {sleeve for sleeve, body in sleeves if body in held})
 
     def owners(self, point: str) -> list[str]:
         """Bodies that a point belongs to, in the order of the scene."""

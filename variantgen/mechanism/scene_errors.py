@@ -98,7 +98,10 @@ def _foreign(component: Any, key: str, scene: Scene) -> list[Problem]:
             members = scene.bodies[body]
             for name in (named,) if isinstance(named, str) else named:
                 if name in scene.points and name not in members:
-                    remedy = f"add it to the list of points of {body}, or take one of: {', '.join(members)}"
+                    remedy = (
+                        f"add it to the list of points of {body}, or take one of: {', '.join(members)}; a place of"
+                        f' {body} under {name} is a point of its own, E = "{name}" in [points], added to that list'
+                    )
                     found.append(
                         Problem(f"is no point of the body {body}", key=f"{key}.{points}", value=name, remedy=remedy)
                     )

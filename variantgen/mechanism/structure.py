@@ -95,13 +95,11 @@ def _equation_name(scene: Scene, equation: Equation) -> str:
 
 def _remedy(scene: Scene, equation: Equation) -> str:
     """What the joint of an equation proposes to write in its place where there are too many of them."""
-    if isinstance(equation, RowEquation):
-        number = equation.constraint
-    elif isinstance(equation.step, GivenPoint):
-        number = equation.step.constraint
-    else:
-        return ""
-    return scene.joints[number].when_surplus() if number < len(scene.joints) else ""
+    known = equation if isinstance(equation, RowEquation) else equation.step
+    if isinstance(known, RigidPoint):  # of a point that a joint leads already
+        leading = (j for j in scene.joints if any(shape.given_point == known.point for shape in j.shapes()))
+        return next((text for joint in leading if (text := joint.when_surplus())), "")
+    return scene.joints[known.constraint].when_surplus() if known.constraint < len(scene.joints) else ""
 
 
 @dataclass(frozen=True)

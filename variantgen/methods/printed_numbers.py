@@ -65,6 +65,9 @@ class PrintedNumbers:
                 yield _text(term.name), self._term(term)
                 if term.size is None and term.way.key != _ANYWHERE:
                     unknown[term.name] = term
+            if isinstance(item, Derived) and item.law is not None:
+                gap = item.law.number(True) - item.value.exact
+                yield "the law of a line", _relative(gap, max(abs(item.value.exact), _largest(item.law)))
             if isinstance(item, Derived) and item.value.name is not None:
                 # A negative number is opposite to the direction that was assumed.
                 if item.value.name in unknown and not self.measured:

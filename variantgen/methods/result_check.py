@@ -166,5 +166,4 @@ def _projection(share: Share) -> Value:
     expression = share.size
     if share.sign < 0:
         expression = -expression
-    name = Name("projection", share.term.name.of, share.term.name.about, share.term.name.part, share.term.name.kind)
-    return Value(name, size.measure, expression.number(True), expression, size.exact)
+    return Value(None, size.measure, expression.number(True), expression, size.exact)

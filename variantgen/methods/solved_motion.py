@@ -183,6 +183,7 @@ class SolvedMotion:
         if name.kind != "parameter" or any(name.of == parameter.symbol for parameter in form.parameters.values()):
             return []
         names = [name.of] if name.of in form.derived else laws(form)
+        names = [f"{law}{('', '_dot', '_ddot')[name.dots]}" for law in names]
         return [unit(self.task.unit_of(measure)).from_si(self.task.si[law]) for law in names]
 
     def answer(self, quantity: Quantity) -> float:

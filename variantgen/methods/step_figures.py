@@ -9,7 +9,7 @@ from dataclasses import replace
 
 from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
-from variantgen.algebra.values import parts
+from variantgen.algebra.values import made_of
 from variantgen.families.hints import DIRECTIONS
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solved_motion import SolvedMotion
@@ -218,8 +218,7 @@ def _named(step: Step) -> Iterator[Value]:
     seen: set[Name] = set()
     values = [*items_values(step.items), *(i.value for i in step.items if isinstance(i, Derived))]
     for value in values:
-        inside = [] if value.expression is None else parts(value.expression)
-        for each in (value, *inside):
+        for each in (value, *made_of(value)):
             if each.name is not None and each.name not in seen:
                 seen.add(each.name)
                 yield each

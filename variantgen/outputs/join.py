@@ -25,8 +25,8 @@ def join_pdfs(
     language: str,
     even: bool,
     names: Sequence[BookmarkName] | None = None,
-) -> None:
-    """Write the pages of all parts to one PDF.
+) -> list[int]:
+    """Write the pages of all parts to one PDF; the number of pages from each bookmark of a part to the next.
 
     ``even`` pads each part but the last to an even number of pages, so that the next part starts on an odd page.
     ``names`` are given to the bookmarks of the parts (not to those inside others). Tags, metadata and output intents
@@ -38,10 +38,11 @@ def join_pdfs(
             with pikepdf.open(path) as source:
                 whole.add(source, even and number < len(parts))
         whole.finish(title, language, names)
+    return whole.lengths
 
 
 def page_counts(parts: Sequence[Path]) -> list[int]:
-    """The number of pages from each bookmark of the parts to the next."""
+    """The number of pages from each bookmark of the parts to the next, as :func:`join_pdfs` tells it."""
     found = []
     for path in parts:
         with pikepdf.open(path) as source:
@@ -59,6 +60,7 @@ class _Whole:
         self._nodes: list[int] = []
         self._count = 0
         self._bookmarks: list[Bookmark] = []
+        self.lengths: list[int] = []
 
     def add(self, source: pikepdf.Pdf, even: bool) -> None:
         """Write what a part holds."""
@@ -77,6 +79,7 @@ class _Whole:
         if self._structure:
             self._structure.add(part)
         self._bookmarks += read_bookmarks(part)
+        self.lengths += _lengths(source)
         part.copy()
         self._nodes.append(node)
         self._count += len(kids)

@@ -21,7 +21,7 @@ from variantgen.resources import templates_dir
 from variantgen.synthesis.compose import sketched
 from variantgen.synthesis.levels import level
 from variantgen.synthesis.recognition import structures_of
-from variantgen.synthesis.structures import Structure, code, rolling_structures, textbook_structures
+from variantgen.synthesis.structures import Structure, code, geared_structures, rolling_structures, textbook_structures
 from variantgen.variants.draw import draw
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.language import load_language
@@ -46,7 +46,11 @@ def structure_rows(families: Sequence[Family], most_links: int) -> list[Structur
                 found.setdefault(structure, []).append(" ".join(filter(None, (family.name, form.name))))
     return [
         StructureRow(structure, code(structure), level(structure), tuple(found.get(structure, ())))
-        for structure in [*textbook_structures(most_links), *rolling_structures(most_links)]
+        for structure in [
+            *textbook_structures(most_links),
+            *rolling_structures(most_links),
+            *geared_structures(most_links),
+        ]
     ]
 
 

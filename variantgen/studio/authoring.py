@@ -13,8 +13,9 @@ from markupsafe import Markup
 from variantgen.errors import InputError, Problem
 from variantgen.families.files import CASES, FAMILY
 from variantgen.limits import TOML_BYTES
-from variantgen.studio.documents.document import ConflictError, Mistake, line_of, located
+from variantgen.studio.documents.document import ConflictError
 from variantgen.studio.documents.journal import version_of
+from variantgen.studio.documents.mistakes import Mistake, line_of, located
 from variantgen.studio.messages import explained
 from variantgen.studio.studio import UnknownKeyError
 from variantgen.studio.words import LANGUAGES

@@ -11,7 +11,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from variantgen.errors import InputError
+from variantgen.errors import InputError, Problem
 from variantgen.families.files import FAMILY
 from variantgen.limits import TOML_BYTES
 from variantgen.resources import catalog_dir
@@ -50,10 +50,23 @@ def family_files(workspace: Workspace) -> dict[str, Path]:
     return dict(sorted(found.items()))
 
 
+def family_file(workspace: Workspace, family: str) -> Path:
+    """The file of one family, as :func:`family_files` has it. Raises InputError for what there is not."""
+    if Path(family).name == family and not family.startswith(".") and family.isprintable():
+        own, known = (folder / family / FAMILY for folder in (workspace.folder, catalog_dir()))
+        if is_own(own, workspace.folder):
+            return own
+        if known.is_file():
+            return known
+    raise InputError(Problem("unknown family", key="family", value=family))
+
+
 def own_folders(workspace: Workspace, family: str) -> tuple[Path, ...]:
     """Where a family is looked for besides the catalogue: in the folder, unless it is only linked there."""
-    files = workspace.folder.glob(f"*/{FAMILY}")
-    own = any(path.parent.name == family and is_own(path, workspace.folder) for path in files)
+    try:
+        own = catalog_dir() not in family_file(workspace, family).parents
+    except InputError:
+        own = False
     return (workspace.folder.resolve(),) if own else ()
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from variantgen.errors import InputError, Problem
 from variantgen.resources import catalog_dir
-from variantgen.studio.catalogue import ONLY, family_files, family_version, own_folders
+from variantgen.studio.catalogue import ONLY, family_file, family_version, own_folders
 from variantgen.studio.shipped import shipped_figure
 from variantgen.studio.workspace import Workspace, write_whole
 
@@ -51,13 +51,11 @@ def known_figure(workspace: Workspace, family: str, form: str, seed: int, langua
 
 def _places(workspace: Workspace, family: str, form: str, seed: int, language: str) -> tuple[Path, Path]:
     """The file of a family, and where a figure is kept. Raises InputError for what there is not."""
-    files = family_files(workspace)
-    if family not in files:
-        raise InputError(Problem("unknown family", key="family", value=family))
-    name = f"{family_version(files[family])}-{family}-{form}-{seed}-{language}.svg"
+    file = family_file(workspace, family)
+    name = f"{family_version(file)}-{family}-{form}-{seed}-{language}.svg"
     if not name.replace("-", "").replace("_", "").replace(".", "").isalnum():
         raise InputError(Problem("unknown form", key="form", value=form))
-    return files[family], workspace.state("cache", "figures", name)
+    return file, workspace.state("cache", "figures", name)
 
 
 def draw_card(workspace: Workspace, family: str, form: str, seed: int, language: str) -> str:

@@ -19,7 +19,7 @@ _RUSSIAN_GOT = "{} (получено {})"
 
 
 def in_language(text: str, language: str) -> str:
-    """A message in a language."""
+    """A message in a language, with the messages that it quotes."""
     if language == "en" or not text:
         return text
     said = _GOT.fullmatch(text)
@@ -27,10 +27,10 @@ def in_language(text: str, language: str) -> str:
         return _RUSSIAN_GOT.format(in_language(said[1], language), said[2])
     said = _VALUE.fullmatch(text)  # a mistake with the value in its message
     if said and (spoken := in_language(said[1], language)) != said[1]:
-        return spoken + said[2]
+        return spoken + in_language(said[2], language)
     for pattern, words in _messages(language):
         if found := pattern.fullmatch(text):
-            return words.format(*found.groups())
+            return words.format(*(in_language(part, language) for part in found.groups()))
     return text
 
 
@@ -50,6 +50,22 @@ def error_text(error: VariantgenError, language: str) -> str:
             ": ".join(filter(None, (where, message))) + f"\n    {in_language(problem.remedy, language)}".rstrip()
         )
     return "\n".join(found) or in_language(str(error), language)
+
+
+def command_text(said: str, language: str) -> str:
+    """What a command has said of wrong input: lines of file, key, message, and of what to do."""
+    return "\n".join(_line(line, language) for line in said.strip().removeprefix("variantgen: ").splitlines()[-8:])
+
+
+def _line(line: str, language: str) -> str:
+    """A line of a command: the longest end of it that is a known message is told in the language."""
+    if said := _GOT.fullmatch(line):
+        return _RUSSIAN_GOT.format(_line(said[1], language), said[2]) if language != "en" else line
+    bare = line.strip()
+    starts = [0, *(found.end() for found in re.finditer(": ", bare))]
+    spoken = ((bare[:start], bare[start:], in_language(bare[start:], language)) for start in starts)
+    told = next((head + new for head, old, new in spoken if new != old), bare)
+    return line[: len(line) - len(line.lstrip())] + told
 
 
 @cache

@@ -80,8 +80,12 @@ class Studio:
         with self._lock:
             if build.folder not in self._markings:
                 folder = MarkingFolder(self.workspace, build)
-                self._markings[build.folder] = folder, MarkedBuild(self.workspace, folder)
+                self._markings[build.folder] = folder, MarkedBuild(self.workspace, folder, self._reading(build))
             return self._markings[build.folder]
+
+    def _reading(self, build: FinishedBuild) -> Callable[[str, int, int], None]:
+        """Tell the windows how far the scans of a build are read."""
+        return lambda file, done, total: self.events.tell("scan", build=build.key, file=file, done=done, total=total)
 
     async def draw(self, work: Callable[[], T]) -> T:
         """Do work on the thread of figures."""

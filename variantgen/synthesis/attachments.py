@@ -96,7 +96,7 @@ def line_on(draft: Draft, number: int) -> Link:
     draft.joint("translation", body=body)
     draft.hint("grooves", ends)
     draft.symbols[body] = ""
-    draft.nouns[body] = "yoke"
+    draft.nouns[body] = "slider"
     draft.hint("plain", body)
     link.body = body
     return Link(ends[1], ends[0], "groove", [], body, True)

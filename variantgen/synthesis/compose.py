@@ -15,6 +15,7 @@ from variantgen.families.family import Family
 from variantgen.families.files import FAMILY
 from variantgen.families.load import load_family
 from variantgen.families.quantities import Quantity, parse_quantity
+from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import Motion
 from variantgen.synthesis.chance import Chance
 from variantgen.synthesis.crowding import crossed
@@ -34,6 +35,7 @@ _LOOKED_AT, _BY_HAND = 48, 6  # draws of a layout: all of them, and those whose 
 _VALID, _VALID_ASKED = 0.3, 0.15  # least shares of them that pass the screens, without answers and with them
 _GOOD, _FIT = 0.6, 3  # share of draws on which a quantity is a good answer; draws that a hand can work out
 _MOST_ASKED = {1: 5, 2: 6, 3: 5}
+_AT_REST = 1e-9  # of the largest angular velocity
 _WIDTHS = (1.0, 0.5)  # how far values vary: less where links would cross
 
 
@@ -133,6 +135,8 @@ def _accepted(
     text = family_text(draft, _titles(structure), code(structure), asked, width)
     family = _family(text, scratch)
     draws = _Draws(family, _quantities(family, asked), _VALID_ASKED)
+    if draws.has_resting_rotation():
+        raise LayoutError("a link that could turn does not turn in this position")
     if why := unfit(draws.variant(0)):
         raise LayoutError(why)
     if draws.fit(screening) < _FIT:
@@ -170,6 +174,13 @@ class _Draws:
         values, on_paper = self.sampler.si(self.attempts), self.sampler.frame(self.attempts)
         found = sensitivity(self.form, values, on_paper, [quantity], self.motion)
         return np.asarray(passed & (found <= self.form.screens.sensitivity))
+
+    def has_resting_rotation(self) -> bool:
+        """Whether a link that nothing keeps from turning has no angular velocity on any draw."""
+        held = Linkage(self.form.sample).translating
+        turning = {body: rates for body, rates in self.motion.omega.items() if body not in held}
+        least = _AT_REST * max(float(np.max(np.abs(rates))) for rates in turning.values())
+        return any(np.all(np.abs(rates) < least) for rates in turning.values())
 
     def variant(self, place: int) -> Variant:
         """One of them."""

@@ -12,6 +12,7 @@ from variantgen.synthesis.chance import Chance
 LETTERS = "ABCDEFGHKLMNQ"  # of moving points in the order of growth; P is the centre of velocities
 ANGLES = ("beta", "gamma", "delta", "psi", "theta")  # alpha is an angular acceleration in English
 WHEEL = "wheel1"  # the body of a rolling wheel
+PINION = "gear1"  # the body of a gear in mesh
 CRANK = "OA"  # the body of the driving link
 OPENINGS = ("driven", "given", "in_position")  # how the statement tells the first dyad and the position
 _LENGTH_STEP, _ANGLE_STEP = 2, 5  # cm, degrees

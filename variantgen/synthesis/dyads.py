@@ -19,8 +19,11 @@ from variantgen.synthesis.dyad_parts import (
     on_bar,
     slide,
 )
+from variantgen.synthesis.gears import gear_in_mesh
 from variantgen.synthesis.sliding_dyads import collar, two_guides, yoke
 from variantgen.synthesis.structures import FRAME, AssurGroup
+
+_SHORTEST = 14  # of two rods to a common pin, cm
 
 
 def place_dyad(draft: Draft, place: int, dyad: AssurGroup, uses: dict[int, str]) -> None:
@@ -73,6 +76,8 @@ def _bridge(draft: Draft, links: tuple[int, int], ends: tuple[int, int]) -> None
     a = draft.value(draft.length(one.point, joint, first))
     b = draft.value(draft.length(other.point, joint, first / skew**2))
     start, step = draft.z[one.point], draft.z[other.point] - draft.z[one.point]
+    if min(a, b) < _SHORTEST:
+        raise LayoutError("short rods")
     if not abs(a - b) < span < a + b:
         raise LayoutError("does not assemble")
     along = 0.5 * (span + (a * a - b * b) / span)
@@ -215,6 +220,7 @@ _PLACING: dict[str, Callable[[Draft, tuple[int, int], AssurGroup, dict[int, str]
     "RRR": _two_rods,
     "RRP": _rod_and_slider,
     "RRW": _rod_and_wheel,
+    "WR": gear_in_mesh,
     "RPR": collar,
     "PRP": two_guides,
     "RPP": yoke,

@@ -32,7 +32,7 @@ def _uses(structure: Structure) -> dict[int, str]:
     found = dict.fromkeys(range(2 + 2 * len(structure)), "")
     for kind, on, to in structure:
         found[on] += kind[0]
-        found[to] += kind[2]
+        found[to] += kind[-1]
     return found
 
 

@@ -5,9 +5,12 @@ from __future__ import annotations
 from variantgen.errors import InputError, Problem
 from variantgen.synthesis.structures import (
     FRAME,
+    GEAR,
     KINDS,
     ROLLING,
+    TERMINAL,
     Structure,
+    geared_structures,
     moving_links,
     rolling_structures,
     sliding_pairs,
@@ -21,12 +24,13 @@ def level(structure: Structure) -> str:
     """What problems of a structure mostly are, with accelerations: easy with one dyad, hard with three.
 
     With two they are hard where the second one hangs on two moving links, or where there is relative motion; else
-    medium. What a family takes in calculations is known when it is made.
+    medium; a gear in mesh does not matter. What a family takes in calculations is known when it is made.
     """
-    if len(structure) != 2:
-        return "easy" if len(structure) < 2 else "hard"
+    dyads = [group for group in structure if group.kind != GEAR]
+    if len(dyads) != 2:
+        return "easy" if len(dyads) < 2 else "hard"
     relative = any(FRAME not in pair for pair in sliding_pairs(structure))
-    return "hard" if relative or FRAME not in (structure[1].on, structure[1].to) else "medium"
+    return "hard" if relative or FRAME not in (dyads[1].on, dyads[1].to) else "medium"
 
 
 def chosen_structures(groups: tuple[str, ...], links: int | None) -> list[Structure]:
@@ -36,18 +40,23 @@ def chosen_structures(groups: tuple[str, ...], links: int | None) -> list[Struct
     are named). Raises InputError for what is unknown, and where there is no such structure.
     """
     problems = [
-        Problem("unknown dyad", key="groups", value=kind, remedy="one of " + ", ".join((*KINDS, ROLLING)))
+        Problem("unknown dyad", key="groups", value=kind, remedy="one of " + ", ".join((*KINDS, *TERMINAL)))
         for kind in groups
-        if kind not in (*KINDS, ROLLING)
+        if kind not in (*KINDS, *TERMINAL)
     ]
-    if links is not None and links not in (3, 5, 7):
-        problems.append(Problem("expected 3, 5 or 7 moving links", key="links", value=str(links)))
+    sizes = (4, 6) if GEAR in groups else (3, 5, 7)
+    if links is not None and links not in sizes:
+        said = "4 or 6 moving links, one of them the gear" if GEAR in groups else "3, 5 or 7 moving links"
+        problems.append(Problem(f"expected {said}", key="links", value=str(links)))
     if problems:
         raise InputError(problems)
     most = links or (7 if len(groups) > 2 else 5)
     known = textbook_structures(most, groups or KINDS)
     if ROLLING in groups:  # the rolling wheel takes the place of a slider
         known = rolling_structures(most, tuple(dict.fromkeys(["RRP", *groups])) if len(groups) > 1 else KINDS)
+    if GEAR in groups:
+        others = tuple(kind for kind in groups if kind != GEAR)
+        known = geared_structures(links or (6 if len(others) > 1 else 4), others or KINDS)
     found = [
         structure
         for structure in known

@@ -6,13 +6,14 @@ from collections.abc import Iterator, Sequence
 from itertools import product
 
 from variantgen.mechanism.drivers.rotation import Rotation
+from variantgen.mechanism.joints.gears import Gears
 from variantgen.mechanism.joints.guide import Guide
 from variantgen.mechanism.joints.pivot import Pivot
 from variantgen.mechanism.joints.rolling import Rolling
 from variantgen.mechanism.joints.slot import Slot
 from variantgen.mechanism.joints.translation import Translation
 from variantgen.mechanism.scene import Scene
-from variantgen.synthesis.structures import CRANK, FRAME, KINDS, ROLLING, AssurGroup, Structure, normal
+from variantgen.synthesis.structures import CRANK, FRAME, GEAR, KINDS, ROLLING, AssurGroup, Structure, normal
 
 _Pair = tuple[str, str, str]  # letter of the joint, two links
 _FRAME = "(frame)"
@@ -24,7 +25,7 @@ def structures_of(scene: Scene) -> set[Structure]:
     None where it is not driven by one crank, has other joints than hinges and straight slides, or other groups than
     dyads.
     """
-    if any(not isinstance(joint, Pivot | Guide | Slot | Translation | Rolling) for joint in scene.joints):
+    if any(not isinstance(joint, Pivot | Guide | Slot | Translation | Rolling | Gears) for joint in scene.joints):
         return set()
     driver = scene.drivers[0] if len(scene.drivers) == 1 else None
     if not isinstance(driver, Rotation) or driver.relative_to is not None:
@@ -36,6 +37,8 @@ def structures_of(scene: Scene) -> set[Structure]:
             slides.append(("P", _slider(pins, joint.point, f"slider {place}", still), _FRAME))
         elif isinstance(joint, Rolling):
             slides.append(("W", joint.body, joint.on or _FRAME))
+        elif isinstance(joint, Gears):
+            slides.append(("W", joint.body, joint.other or _FRAME))
         elif isinstance(joint, Slot):
             alike = still - {joint.body} if joint.body in still else set[str]()
             block = joint.sleeve or _slider(pins, joint.point, f"block {place}", alike)
@@ -93,13 +96,22 @@ def _grown(joints: Sequence[_Pair], crank: str) -> Structure | None:
         return None
     found: list[AssurGroup] = []
     while links - known.keys():
-        step = next(_dyads(joints, known), None)
+        step = next(_dyads(joints, known), None) or next(_gears(joints, known), None)
         if step is None:
             return None
         dyad, first, second = step
         found.append(dyad)
         known |= {first: len(known), second: len(known) + 1}
-    return tuple(found) if len(joints) == 1 + 3 * len(found) else None
+    return tuple(found) if len(joints) == 1 + sum(len(group.kind) for group in found) else None
+
+
+def _gears(joints: Sequence[_Pair], known: dict[str, int]) -> Iterator[tuple[AssurGroup, str, str]]:
+    """Gears about fixed axes, in mesh with a link that is known; the second name stands for no link."""
+    for letter, gear, other in joints:
+        own = [joint for joint in joints if gear in joint[1:]]
+        fixed = any(kind == "R" and _FRAME in pair for kind, *pair in own)
+        if letter == "W" and gear not in known and known.get(other, FRAME) != FRAME and fixed and len(own) == 2:
+            yield AssurGroup(GEAR, known[other], FRAME), gear, f"({gear})"
 
 
 def _dyads(joints: Sequence[_Pair], known: dict[str, int]) -> Iterator[tuple[AssurGroup, str, str]]:

@@ -20,6 +20,7 @@ TRIES = 10  # draws in which somebody looks for data that are not nearly those o
 # With more near neighbours than this, on average, there is no room to keep the variants of a group apart.
 _CROWD = 12.0
 _FEW = 400  # places of which all pairs are compared
+_COUNTED = 10_000  # places whose near ones are counted together
 _LIMIT = 1.0 + 1e-4  # of single precision
 
 # The next draw of some owners after the attempts that they have used: (owners, attempts) -> traits.
@@ -109,7 +110,7 @@ class _Pool:
         # Whoever has one draw that nobody else wants takes it: nothing is to be decided.
         contested = {self._owner[i] for i in (*same, *near)} | self._more.keys()
         draws = [i for owner in contested for i in self._draws(owner)]
-        self.contested = np.unique(self.traits.identity[np.array(draws, dtype=int)]).size
+        self.contested = len(set(self.traits.identity[np.array(draws, dtype=int)].tolist()))
         held = set(self._kept)
         contested.difference_update(self._kept)
         wanting = []
@@ -150,11 +151,7 @@ def _runs(keys: NDArray[np.uint64]) -> Iterator[NDArray[np.intp]]:
 
 def _crowds(first: Traits) -> set[int]:
     """The rooms in which the first draws lie too close together to be kept apart."""
-    return {
-        int(first.room[members[0]])
-        for members in _runs(first.room)
-        if _neighbours(first.place[members]) > _CROWD * len(members)
-    }
+    return {int(first.room[members[0]]) for members in _runs(first.room) if _is_crowd(first.place[members])}
 
 
 def _near(found: Traits, crowds: set[int]) -> dict[int, list[int]]:
@@ -168,12 +165,18 @@ def _near(found: Traits, crowds: set[int]) -> dict[int, list[int]]:
     return near
 
 
-def _neighbours(places: NDArray[np.float32]) -> int:
-    """How many near ones all places have together."""
+def _is_crowd(places: NDArray[np.float32]) -> bool:
+    """Whether places have more near ones than :data:`_CROWD` on average; not all are counted where they are many."""
+    most = _CROWD * len(places)
     if len(places) <= _FEW:
-        return 2 * len(_close_pairs(places))
-    tree = _tree(places)
-    return int(tree.count_neighbors(tree, _LIMIT, p=np.inf)) - len(places)
+        return 2 * len(_close_pairs(places)) > most
+    tree, found = _tree(places), 0
+    for start in range(0, len(places), _COUNTED):
+        own = places[start : start + _COUNTED]
+        found += int(tree.query_ball_point(own, _LIMIT, p=np.inf, return_length=True).sum()) - len(own)
+        if found > most:
+            return True
+    return False
 
 
 def _close_pairs(places: NDArray[np.float32]) -> NDArray[np.intp]:

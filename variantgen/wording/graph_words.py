@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Mapping, Sequence
 
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity, split_name
@@ -18,13 +19,19 @@ def graph_sentences(form: Form, language: Language) -> Text:
     """What is said of the graph that gives a rate, and of the curves to be sketched, a sentence each."""
     words, found = language.words("sheet"), list[str | Formula]()
     if graph := form.figure.graph:
-        before, after = words["by_graph"].split("{symbol}")
-        found += [" " + before, language.symbol(form.parameters[graph[0]].symbol, form.symbols), after]
+        symbol = language.symbol(form.parameters[graph[0]].symbol, form.symbols)
+        found += _sentence(words["by_graph"], {"symbol": [symbol], "time": [Symbol("t")]})
     symbols = [language.quantity(split_name(name), form.symbols) for name in form.figure.sketch]
     if symbols:
-        before, after = words["sketches"].split("{symbols}") if symbols[1:] else words["sketch"].split("{symbol}")
-        found += [" " + before, *_listed(symbols, language), after]
+        listed, key = _listed(symbols, language), "sketches" if symbols[1:] else "sketch"
+        found += _sentence(words[key], {"symbols": listed, "symbol": listed, "angle": [Symbol("theta")]})
     return tuple(found)
+
+
+def _sentence(words: str, facts: Mapping[str, Sequence[str | Formula]]) -> list[str | Formula]:
+    """A sentence after others, with what stands for its fields."""
+    pieces = re.split(r"{(\w+)}", words)
+    return [" ", *(part for i, piece in enumerate(pieces) for part in (facts[piece] if i % 2 else [piece]) if part)]
 
 
 def _listed(symbols: Sequence[Formula], language: Language) -> list[str | Formula]:

@@ -44,10 +44,10 @@ from variantgen.wording.language import Language
 def law_equations(form: Form, language: Language) -> list[Equation]:
     """The laws of a form, one equation each; the unit of a law of plain numbers stands behind it."""
     found = []
-    for name, unit_name in form.laws.items():
+    for name, law in form.laws.items():
         right = _formula(parse(form.derived[name].text).tree, language, form.symbols)
-        if unit_name:
-            right = Product((right, language.unit(unit(unit_name))))
+        if law.plain_unit:
+            right = Product((right, language.unit(unit(law.plain_unit))))
         found.append(Equation(_left(form, name, language), right))
     return found
 

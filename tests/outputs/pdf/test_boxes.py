@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from tests.letter_boxes import page_letters
@@ -14,6 +15,7 @@ from variantgen.resources import catalog_dir
 MILLIMETRE = 72 / 25.4
 WIDTH, HEIGHT = 210, 297
 DASHES = "\N{EM DASH}\N{EN DASH}"
+WORD_GAP = 1.8  # mm: between two words of a line
 HANGING = 0.8  # mm: punctuation hangs out of the line
 FOOT, BODY = 5, 15  # mm: from below, the words at the foot and what is above them
 MARGINS = {"sheets": (18, 14), "key": (15, 13), "solutions": (15, 13)}  # mm: sides, top
@@ -51,6 +53,23 @@ def test_no_column_of_solutions_reaches_into_the_foot(everything: Path) -> None:
     for number, page in enumerate(page_letters(everything / "solutions.pdf"), start=1):
         low = (page.boxes[:, 3] > 11.6 * MILLIMETRE) & (page.boxes[:, 1] < 14.6 * MILLIMETRE)
         assert [page.around(int(one)) for one in low.nonzero()[0]] == [], f"page {number}: letters in the foot"
+
+
+def test_no_formula_of_the_left_column_reaches_into_the_other(everything: Path) -> None:
+    """The left column ends at 102 mm, the right one begins at 108 mm; what ends between them belongs to neither.
+
+    The heads of the first page and of problems, and formulas over both columns, go on.
+    """
+    for number, page in enumerate(page_letters(everything / "solutions.pdf"), start=1):
+        left, bottom, right, top = page.boxes.T / MILLIMETRE
+        between = (right > 102 + HANGING) & (right < 108) & (bottom > BODY)
+        for one in between.nonzero()[0]:
+            row = np.minimum(top, top[one]) - np.maximum(bottom, bottom[one]) > 0
+            goes_on = (row & (left > right[one] - 0.2) & (left < right[one] + WORD_GAP)).any()
+            line = "".join(np.array(list(page.text))[row])
+            # Before the first formula of a page nothing but the head of the first page is so wide.
+            is_head = one < page.text.find("**") or any(word in line for word in ("Problem", "Задача"))
+            assert goes_on or is_head, f"page {number}: {page.around(int(one))}"
 
 
 def test_pages_of_solutions_are_filled(everything: Path) -> None:

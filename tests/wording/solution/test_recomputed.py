@@ -62,6 +62,7 @@ class Reader:
     def read(self, found: SolutionText) -> None:
         for line in lines_of(found):
             self.line(line)
+        self.eliminate()
         assert not self.waiting, f"equations without a solution: {self.waiting}"
         assert self.one_side is None, "an equation with one side"
 
@@ -125,7 +126,7 @@ class Reader:
             self.compare(texts[0], value, unit, sign, whole)
         doubt = self.doubt(texts[0])
         if self.one_side is None:
-            self.one_side = value, doubt
+            self.one_side = (value, doubt) if value else None  # a sum that comes to nothing is the whole equation
             return
         (other, before), self.one_side = self.one_side, None
         if abs(value - other) > 1.01 * (doubt + before):
@@ -141,6 +142,21 @@ class Reader:
             allowed = max(allowed, min(by_rounding, NEAR * abs(wanted) or by_rounding))
         if abs(found - wanted) > allowed * (1 + 1e-9):
             self.wrong.append(f"{where}: {sign} {wanted}, but {found:.9g}")
+
+    def eliminate(self) -> None:
+        """Work out the root that a system has and the text does not print from one equation: the others must hold."""
+        sides = [(left, right) for left, right, _ in self.waiting]
+        missing = {name for pair in sides for text in pair for name in re.findall(r"[αε]_\w+\sz", text)} - {*self.known}
+        if len(missing) != 1:
+            return
+        (name,), roots = missing, []
+        for left, right in sides:
+            at = [dict(self.known, **{name: trial}) for trial in (0.0, 1.0)]
+            zero, one = (evaluate(left, found, self.mark) - evaluate(right, found, self.mark) for found in at)
+            self.known[name] = -zero / (one - zero)
+            roots.append((((self.doubt(left) + self.doubt(right)) / abs(one - zero)), self.known[name]))
+        self.halves[name], self.known[name] = min(roots)
+        self.settle()
 
     def settle(self) -> None:
         """Put what has been found back into the equations that led to it, those first that say what a letter is."""

@@ -7,6 +7,7 @@ source prints. Points bear the names that the families give them.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from math import pi, sqrt
 
@@ -121,7 +122,7 @@ READINGS = [
         ("v_A", "v_B"),
         ("points.sum_v",),
         {
-            "φ": (60, 1e-3),
+            "φ": (math.pi / 3, 1e-3),  # rad, before it is turned into the 60 degrees of the source
             "v_C": (19.6, 0.05),
             "v_A/C": (pi / 6, 1e-4),
             "v_A": (19.343516, 1e-3),

@@ -65,13 +65,12 @@ def split_unit(text: str) -> tuple[str, str]:
 def in_unit(quantity: Quantity, wanted: str, key: str) -> Quantity:
     """The quantity with the unit in which its answer is wanted. Raises InputError for a unit of another measure."""
     own = quantity.own_unit("m")
-    fitting = (
-        [own.name] if quantity.is_angle else [other.name for other in UNITS.values() if other.measures == own.measures]
-    )
+    alike = [other.name for other in UNITS.values() if other.measures == own.measures]
+    fitting = [own.name] if quantity.is_direction else alike
     if wanted not in fitting:
         message = f"{wanted} measures no {own.measures}" if wanted in UNITS else "unknown unit"
-        if quantity.is_angle:
-            message = f"angles are answered in {own.name}"
+        if quantity.is_direction and wanted in alike:
+            message = f"directions are answered in {own.name}"
         raise InputError(
             Problem(message, key=key, value=f"{quantity.name} in {wanted}", remedy="use one of: " + ", ".join(fitting))
         )

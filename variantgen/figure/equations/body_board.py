@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields
-from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,7 +19,6 @@ from variantgen.figure.motion.motion_board import LEAST, MotionBoard, head_of
 from variantgen.figure.placement.label_requests import along_arrow, around
 from variantgen.figure.sketch import Sketch
 from variantgen.mechanism.motion import Motion
-from variantgen.mechanism.scene import fixed_points
 from variantgen.methods.steps.step_geometry import NOTHING_MARKED, StepGeometry
 from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import Variant
@@ -44,8 +42,8 @@ _SAMPLES = np.linspace(0.0, 1.0, 12)
 class FigureSubject:
     """A variant of a solved batch and what is asked of it, for figures in a language that mark a ``geometry``.
 
-    With ``true_scale`` no vector is lengthened to be seen. ``unmarked`` is the same variant with nothing marked, which
-    remembers for all its figures what is the same in them.
+    ``poses`` are the directions (rad) in which the supports stand in the figure of the statement. With ``true_scale``
+    no vector is lengthened to be seen.
     """
 
     variant: Variant
@@ -53,24 +51,19 @@ class FigureSubject:
     index: int
     asked: Sequence[Quantity]
     language: Language
+    poses: Mapping[str, float]
     geometry: StepGeometry = NOTHING_MARKED
     true_scale: bool = False
-    unmarked: FigureSubject | None = None
 
     @property
     def least(self) -> float:
         """The length of the shortest vector, u."""
         return 0.0 if self.true_scale else LEAST
 
-    @cached_property
-    def poses(self) -> dict[str, float]:
-        """How the supports stand in the figure of the statement."""
-        return self.board(True).poses if self.unmarked is None else self.unmarked.poses
-
-    def board(self, marks: bool, scale: float | None = None, poses: Mapping[str, float] | None = None) -> MotionBoard:
-        """The mechanism, with the data of the statement (``marks``) or without."""
+    def board(self, scale: float) -> MotionBoard:
+        """The mechanism without the data of the statement."""
         plain = mechanism(
-            self.variant, self.motion, self.index, self.asked, self.language, marks, scale=scale, poses=poses
+            self.variant, self.motion, self.index, self.asked, self.language, False, scale=scale, poses=self.poses
         )
         return MotionBoard(**{spec.name: getattr(plain, spec.name) for spec in fields(plain)})
 
@@ -118,9 +111,7 @@ class BodyBoard:
 
     def drawn(self, scale: float) -> MotionBoard:
         """The board at a scale with the bodies on it."""
-        # Only where there are supports it matters how they stand in the figure of the statement.
-        held = fixed_points(self.subject.motion.scene) & set(self.points)
-        board = self.subject.board(False, scale, self.subject.poses if held else {})
+        board = self.subject.board(scale)
         kept = self._surroundings(board.sketch.at, scale)
         whole = board.sketch
         board.sketch = Sketch(whole.at, whole.scale, busy=whole.busy, symbol_radius=whole.symbol_radius)

@@ -35,6 +35,7 @@ from variantgen.wording.solution.quantity_symbols import centre_letters
 
 _LONGEST = 46.0  # length of the longest vector, u
 _SIZES = (1.0, 1.3, 0.8)  # of the vectors, tried until letters find room
+_MOST_MARKED = (MOST_ANGLES, 2, 0)  # of the angles, at the usual size
 _NOTHING = 1e-9  # of the largest vector or rate
 _SQUARE = 2.4  # side of a right-angle mark, u
 _LEAST_BODY = 20.0  # a body that would be smaller is drawn without its cranks, u
@@ -58,7 +59,8 @@ def draw_body_figure(
         raise InputError(Problem("the mechanism has no such body", key="view", value=body))
     own = now.v if order == 1 else now.a
     largest = max(abs(vector) for vector in own.values())
-    telling = [name for name in now.scene.bodies[body] if name in named.telling(found.chain.points)]
+    told = named.telling(found.chain.points)
+    telling = [name for name in now.scene.bodies[body] if name in told]
     moving = {name: own[name] for name in telling if abs(own[name]) > _NOTHING * largest}
     touching = _contacts(subject, now, named, body, kind) if order == 1 else {}
     if kind == "contacts":
@@ -66,9 +68,7 @@ def draw_body_figure(
     if not moving and not touching:
         raise InputError(Problem("no point of the body moves", key="view", value=body))
     make = partial(BodyFigure, subject, named, now, body, order, moving, touching)
-    # Marks of angles go where there is room for them.
-    tries = ((_SIZES[0], MOST_ANGLES), (_SIZES[0], 2), *((stretch, 0) for stretch in _SIZES))
-    return first_roomy(partial(_drawn, make, stretch, most, kind) for stretch, most in tries)
+    return first_roomy(_tries(make, kind))
 
 
 def _contacts(subject: FigureSubject, now: Instant, named: Vectors, body: str, kind: str) -> dict[str, ContactPoint]:
@@ -86,16 +86,22 @@ def _contacts(subject: FigureSubject, now: Instant, named: Vectors, body: str, k
     }
 
 
-def _drawn(make: Callable[[float, int], BodyFigure], stretch: float, most: int, kind: str) -> Drawing:
-    """The figure with vectors of a size and at most so many angles."""
-    figure = make(stretch, most)
-    kinds = {
-        "centre": figure.by_centre,
-        "projections": figure.by_projections,
-        "contacts": figure.by_contacts,
-        "points": figure.by_points,
-    }
-    return kinds[kind]()
+def _tries(make: Callable[[float], BodyFigure], kind: str) -> Iterator[Drawing]:
+    """The figure with vectors of several sizes; marks of angles go where there is room for them."""
+    for stretch in _SIZES:
+        figure = make(stretch)
+        kinds: dict[str, Callable[[], MotionBoard]] = {
+            "centre": figure.by_centre,
+            "projections": figure.by_projections,
+            "contacts": partial(figure.by_vectors, figure.alone),
+            "points": partial(figure.by_vectors, figure.bodies if figure.order == 1 else figure.alone),
+        }
+        base = kinds[kind]()
+        marked = MOST_ANGLES + 1
+        for most in _MOST_MARKED if stretch == _SIZES[0] else (0,):
+            if most < marked:  # else there is nothing to leave out
+                drawing, marked = figure.completed(base.copied(), kind, most)
+                yield drawing
 
 
 class BodyFigure:
@@ -111,11 +117,9 @@ class BodyFigure:
         moving: dict[str, complex],
         touching: dict[str, ContactPoint],
         stretch: float,
-        most_angles: int,
     ) -> None:
         self.subject, self.named, self.now, self.body, self.order = subject, named, now, body, order
         self.moving = list(moving)
-        self._most_angles = most_angles
         self._touching = touching
         shown = {**moving, **{name: contact.velocity for name, contact in touching.items() if contact.velocity}}
         self._places = {**{name: now.z[name] for name in moving}, **{n: c.place for n, c in touching.items()}}
@@ -126,8 +130,8 @@ class BodyFigure:
         further = [contact.place for contact in touching.values()]
         # The wheel itself, where only points of its rim are at rest or move.
         points = self.moving or list(now.scene.bodies[body][:1])
-        self._bodies = BodyBoard(subject, (body, *self._cranks()), points, further)
-        self._alone = BodyBoard(subject, (body,), points, further)
+        self.bodies = BodyBoard(subject, (body, *self._cranks()), points, further)
+        self.alone = BodyBoard(subject, (body,), points, further)
 
     def _cranks(self) -> list[str]:
         """The bodies on fixed axes that lead points of the body: they say where its velocities are directed."""
@@ -146,20 +150,26 @@ class BodyFigure:
             abs(self.now.z[p] - self.now.z[q]) for p in members if p in self.moving for q in fixed & set(members)
         )
 
-    def by_centre(self) -> Drawing:
-        """With the centre, the rays to it and the sense of the rate about it."""
+    def by_centre(self) -> MotionBoard:
+        """With the centre and the rays to it."""
         centre = self._centre()
         if centre is None:
-            return self._finished(self._board(self._bodies, self._bodies.scale(self._tips)))
-        with_cranks = self._bodies.scale(lambda scale: [*self._tips(scale), *(scale * centre + way for way in _ROUND)])
+            return self.by_vectors(self.bodies)
+
+        def spread(scale: float) -> list[complex]:
+            return [*self._tips(scale), *(scale * centre + way for way in _ROUND)]
+
+        scale = self.bodies.scale(spread)
         size = max((abs(self.now.z[p] - self.now.z[q]) for p in self.moving for q in self.moving), default=0.0)
-        small = size > 0 and size * with_cranks < _LEAST_BODY
+        small = size > 0 and size * scale < _LEAST_BODY
         needed = self.order == 1 and (not small or self.subject.geometry.feet)
-        bodies = self._bodies if needed else self._alone
-        scale = bodies.scale(lambda scale: [*self._tips(scale), *(scale * centre + way for way in _ROUND)])
-        if not needed and (short := [crank for crank in self._cranks() if self._reach(crank) * scale < _WHOLE_CRANK]):
-            bodies = BodyBoard(self.subject, (self.body, *short), self.moving)  # it would be a hinge without a letter
-            scale = bodies.scale(lambda scale: [*self._tips(scale), *(scale * centre + way for way in _ROUND)])
+        bodies = self.bodies if needed else self.alone
+        if not needed:
+            scale = bodies.scale(spread)
+            if short := [crank for crank in self._cranks() if self._reach(crank) * scale < _WHOLE_CRANK]:
+                # It would be a hinge without a letter.
+                bodies = BodyBoard(self.subject, (self.body, *short), self.moving)
+                scale = bodies.scale(spread)
         board = self._board(bodies, scale)
         board.sketch.at["centre"] = scale * centre
         rays = [(board.sketch.at[name], scale * centre) for name in self.moving[:_MANY_RAYS]]
@@ -177,13 +187,11 @@ class BodyFigure:
             if abs(centre - self.now.z[name]) > 0:
                 board.sketch.occupy("centre", self.now.z[name] - centre)
         draw_centre(board, board.sketch.at["centre"], self._letter(centre))
-        self._mark(board)
-        draw_arcs(board, self.body, [(self.named.rate(self.body), self._rate())], "centre")
-        return self._finished(board)
+        return board
 
-    def by_projections(self) -> Drawing:
+    def by_projections(self) -> MotionBoard:
         """With the projections of two velocities on the line through their points."""
-        board = self._board(self._alone, self._alone.scale(self._tips))
+        board = self.by_vectors(self.alone)
         if len(self.moving) > 1 and not self._lengthened:
             first, second = self.moving[:2]
             way = self.now.z[second] - self.now.z[first]
@@ -194,23 +202,26 @@ class BodyFigure:
                 if abs(part) > 3.0 and abs(vector - part) > 1.0:
                     board.sketch.arrow(at, at + part, Layer.SLIDER, MEDIUM, 2.6)
                     board.sketch.path((at + vector, at + part), Layer.GROUND, THIN, dash="dashed")
-        self._mark(board)
-        return self._finished(board)
+        return board
 
-    def by_contacts(self) -> Drawing:
-        """With the points of contact and the sense of the rate."""
-        board = self._board(self._alone, self._alone.scale(self._tips))
-        self._mark(board)
-        if self._rate():
-            draw_arcs(board, self.body, [(self.named.rate(self.body), self._rate())])
-        return self._finished(board)
+    def by_vectors(self, bodies: BodyBoard) -> MotionBoard:
+        """With the vectors (and points of contact) alone."""
+        return self._board(bodies, bodies.scale(self._tips))
 
-    def by_points(self) -> Drawing:
-        """With the vectors alone."""
-        bodies = self._bodies if self.order == 1 else self._alone
-        board = self._board(bodies, bodies.scale(self._tips))
-        self._mark(board)
-        return self._finished(board)
+    def completed(self, board: MotionBoard, kind: str, most: int) -> tuple[Drawing, int]:
+        """The figure with at most so many angles, and how many it has; the sense of the rate goes where room is left.
+
+        A body that does not turn, and so has no centre, has nothing marked in its figure with the centre.
+        """
+        centre, marked = "centre" in board.sketch.at, 0
+        if centre or kind != "centre":
+            # The angles mu are enough beside an acceleration centre.
+            most = 0 if self.order == 2 and centre else most
+            marked = draw_geometry(board, self.subject, self.named.symbols, most, self.body)
+        if centre or (kind == "contacts" and self._rate()):
+            turns = [(self.named.rate(self.body), self._rate())]
+            draw_arcs(board, self.body, turns, "centre" if centre else "")
+        return board.sketch.finish({name: board.sketch.at[name] for name in board.shown}), marked
 
     def _rate(self) -> float:
         rates = self.now.omega if self.order == 1 else self.now.epsilon
@@ -250,12 +261,6 @@ class BodyFigure:
             return self.named.symbols.letter(Name("v", name))
         return self.named.own(name)[0]
 
-    def _mark(self, board: MotionBoard) -> None:
-        """The angles and segments of the step."""
-        # The angles mu are enough beside an acceleration centre.
-        crowded = self.order == 2 and "centre" in board.sketch.at
-        draw_geometry(board, self.subject, self.named.symbols, 0 if crowded else self._most_angles, self.body)
-
     def _mark_right_angle(self, board: MotionBoard, name: str, centre: complex) -> None:
         start, ahead = board.sketch.at[name], self._vectors[name] / abs(self._vectors[name])
         side = (centre - self.now.z[name]) / abs(centre - self.now.z[name])
@@ -279,7 +284,7 @@ class BodyFigure:
         names = {body: form.symbols.get(body, body) for body in plane_bodies(self.now)}
         if self.order == 2:
             return Symbol("Q", centre_letters(names, ()).get(self.body, Symbol("P")).index)
-        others = [p for p in self._bodies.named if all(abs(self.now.z[p] - q) > 1e-6 * size for q in self._all(names))]
+        others = [p for p in self.bodies.named if all(abs(self.now.z[p] - q) > 1e-6 * size for q in self._all(names))]
         return centre_letters(names, others).get(self.body, Symbol("P"))
 
     def _all(self, bodies: dict[str, str]) -> Iterator[complex]:
@@ -288,7 +293,3 @@ class BodyFigure:
             first, omega = self.now.scene.bodies[body][0], self.now.omega[body]
             if omega:
                 yield self.now.z[first] + 1j * self.now.v[first] / omega
-
-    @staticmethod
-    def _finished(board: MotionBoard) -> Drawing:
-        return board.sketch.finish({name: board.sketch.at[name] for name in board.shown})

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from functools import partial
+from collections.abc import Iterator, Sequence
 
 from variantgen.errors import InputError, Problem
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing, Layer
@@ -47,11 +46,7 @@ def equation_figure(subject: FigureSubject, named: Vectors, equation: PointEquat
     ends = [end for rod in equation.rods for end in rod]
     points = dict.fromkeys((equation.point, *others, *ends))
     bodies = BodyBoard(subject, equation.bodies, points, rods=equation.rods)
-    # Marks of angles go where there is room for them.
-    return first_roomy(
-        partial(_drawn, bodies, named, equation, shown, stretch * LONGEST, size, most)
-        for stretch, size, most in ((*_SIZES[0], MOST_ANGLES), *((*usual, 0) for usual in _SIZES))
-    )
+    return first_roomy(_tries(bodies, named, equation, shown))
 
 
 def draw_equation(subject: FigureSubject, order: int, vectors: Sequence[PointVectors], which: str) -> Drawing:
@@ -77,15 +72,24 @@ def _arrows(equation: PointEquation) -> list[Arrow]:
     return list(found.values())
 
 
-def _drawn(
-    bodies: BodyBoard,
-    named: Vectors,
-    equation: PointEquation,
-    arrows: Sequence[Arrow],
-    longest: float,
-    size: float,
-    most_angles: int,
-) -> Drawing:
+def _tries(bodies: BodyBoard, named: Vectors, equation: PointEquation, arrows: Sequence[Arrow]) -> Iterator[Drawing]:
+    """The figure with vectors and bodies of several sizes; marks of angles go where there is room for them."""
+    axes = [(axis.way, axis.letter) for axis in equation.axes if axis.letter]
+    for number, (stretch, size) in enumerate(_SIZES):
+        base, longest = _base(bodies, named, equation, arrows, stretch * LONGEST, size)
+        marked = MOST_ANGLES + 1
+        for most in (MOST_ANGLES, 0) if number == 0 else (0,):
+            if most < marked:  # else there is nothing to leave out
+                board = base.copied()
+                marked = draw_geometry(board, bodies.subject, named.symbols, most)
+                draw_axes(board, board.sketch.at[equation.point], axes, longest)
+                yield board.sketch.finish({name: board.sketch.at[name] for name in board.shown})
+
+
+def _base(
+    bodies: BodyBoard, named: Vectors, equation: PointEquation, arrows: Sequence[Arrow], longest: float, size: float
+) -> tuple[MotionBoard, float]:
+    """The bodies with the vectors, and the length of the longest one (u)."""
     place = bodies.place(equation.point)
     letters = {arrow.name: named.symbols.letter(arrow.name) for arrow in arrows}
     # Equal vectors are one arrow with both names; none is left out, however short.
@@ -108,9 +112,7 @@ def _drawn(
     board.sketch.lengthened = lengthened
     for _, vector in together:
         board.sketch.occupy(equation.point, vector)
-    draw_geometry(board, bodies.subject, named.symbols, most_angles)
-    draw_axes(board, at, [(axis.way, axis.letter) for axis in equation.axes if axis.letter], longest)
-    return board.sketch.finish({name: board.sketch.at[name] for name in board.shown})
+    return board, longest
 
 
 def _tips(named: Sequence[tuple[Formula, complex]], longest: float, least: float) -> tuple[list[complex], bool]:

@@ -11,7 +11,6 @@ import numpy as np
 from variantgen.figure.drawing import THIN, Arc, Layer
 from variantgen.figure.equations.body_board import FigureSubject
 from variantgen.figure.equations.surroundings import distances_to_segments
-from variantgen.figure.ink import segments_of
 from variantgen.figure.motion.motion_board import MotionBoard
 from variantgen.figure.placement.label_requests import along_arc, around
 from variantgen.methods.steps.step_geometry import Corner, MarkedFoot
@@ -21,6 +20,7 @@ from variantgen.wording.solution.quantity_symbols import Symbols
 
 _ARC, _WIDER = 7.0, 3.2  # radius of an arc; how much more that of a further one at the same vertex has, u
 _REFERENCE = 14.0  # length of a side that no line carries, u
+_ON_SIDE = _ARC * np.array([0.6, 0.8, 1.0])  # where a line must lie on a side, u
 _FOOT_SQUARE = 2.2  # the same at the foot of a perpendicular, u
 _SQUARE = 3.2  # side of the mark of a right angle, u
 _NARROW = math.radians(20)  # a smaller angle is marked farther from its vertex
@@ -31,8 +31,8 @@ _RIGHT = math.radians(0.01)
 MOST_ANGLES = 4  # in a figure
 
 
-def draw_geometry(board: MotionBoard, subject: FigureSubject, symbols: Symbols, most: int, body: str = "") -> None:
-    """Mark what can be seen in the figure, but not more than so many angles.
+def draw_geometry(board: MotionBoard, subject: FigureSubject, symbols: Symbols, most: int, body: str = "") -> int:
+    """Mark what can be seen in the figure, but not more than so many angles; returns how many there are.
 
     ``body`` is that whose centre stands at the place ``centre``.
     """
@@ -67,6 +67,7 @@ def draw_geometry(board: MotionBoard, subject: FigureSubject, symbols: Symbols, 
         sketch.label(along_arc(_name(corner, formulas), at, radius, start, sweep, inner=True))
         for part in (0.0, 0.25, 0.5, 0.75, 1.0):
             sketch.busy.setdefault(key, []).append(start + part * sweep)
+    return len(seen)
 
 
 def _draw_segments(board: MotionBoard, segments: Sequence[tuple[str, str]]) -> None:
@@ -114,13 +115,16 @@ def _name(corner: Corner, formulas: Formulas) -> Formula:
 def _draw_sides(board: MotionBoard, key: str, corner: Corner) -> None:
     """Thin lines along the sides of an angle that nothing lies on."""
     sketch = board.sketch
-    drawn = np.array([piece for line in sketch.lines for piece in segments_of(line, 0.5)], dtype=complex)
+    drawn = sketch.obstacles.segments()
     for side in corner.sides:
         way = side / abs(side)
-        places = np.array([sketch.at[key] + part * _ARC * way for part in (0.6, 0.8, 1.0)], dtype=np.complex128)
-        gaps = distances_to_segments(places, drawn[:, :1], drawn[:, 1:])
-        seen = bool(np.all(gaps.min(axis=0) < _ON_LINE))
-        if not (seen and sketch.is_taken(key, side, math.radians(2))):
+        if sketch.is_taken(key, side, math.radians(2)):
+            places = np.asarray(sketch.at[key] + _ON_SIDE * way, dtype=np.complex128)
+            gaps = distances_to_segments(places, drawn[:, :1], drawn[:, 1:])
+            seen = bool(np.all(gaps.min(axis=0) < _ON_LINE))
+        else:
+            seen = False
+        if not seen:
             end = sketch.at[key] + _REFERENCE * way
             sketch.path((sketch.at[key], end), Layer.GROUND, THIN)
 

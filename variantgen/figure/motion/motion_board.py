@@ -109,7 +109,7 @@ def draw_on_mechanism(
         base = partial(mechanism, variant, motion, index, asked, language, False, poses=poses)
         return _fitted(base, annotate, stretch, size, 0.0 if true_scale else LEAST)
 
-    return first_roomy(partial(drawn, *sizes) for sizes in _SIZES)
+    return first_roomy(drawn(*sizes) for sizes in _SIZES)
 
 
 def _fitted(

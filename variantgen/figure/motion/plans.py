@@ -6,7 +6,6 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from decimal import Decimal
-from functools import partial
 
 import numpy as np
 
@@ -81,7 +80,7 @@ def scale_of_plan(chain: VectorChain, now: Instant, order: int, unit: Unit) -> P
 
 def draw_plan(plan: VectorPlan, scale: PlanScale, language: Language) -> Drawing:
     """The finished plan, to the given scale."""
-    return first_clean(partial(_drawn, plan, scale, language, beyond) for beyond in _BEYOND)
+    return first_clean(_drawn(plan, scale, language, beyond) for beyond in _BEYOND)
 
 
 def _drawn(plan: VectorPlan, printed: PlanScale, language: Language, beyond: float) -> Drawing:

@@ -163,13 +163,15 @@ def _resolve_overlaps(choices: list[_Choice], first: Sequence[int]) -> None:
     """Move labels that cover each other until none does; those with the fewest good places move first."""
     if not first:
         return
-    order = sorted(range(len(choices)), key=lambda i: -float(np.min(choices[i].costs)))
+    order = sorted(range(len(choices)), key=lambda i: -float(choices[i].costs.min()))
     pending = set(first)
+    standing = _Standing(choices)
     for _ in range(_SWEEPS):
         if not pending:
             return
         for i in (k for k in order if k in pending):
-            choices[i].taken = int(np.argmin(choices[i].costs + _pair_costs(choices, i)))
+            choices[i].taken = int((choices[i].costs + _pair_costs(choices[i], *standing.but(i))).argmin())
+            standing.move(i, choices[i])
         # A label that could be led to, but still lies on a line, tries again in view of what has moved.
         stuck = {i for i, c in enumerate(choices) if c.costs[c.taken] >= _INK and c.led.any()}
         pending = set(_conflicting(choices)) | stuck
@@ -192,39 +194,46 @@ def _conflicting(choices: Sequence[_Choice]) -> list[int]:
     return sorted(found)
 
 
-def _pair_costs(choices: Sequence[_Choice], i: int) -> Costs:
-    """Cost of the overlaps of each candidate of label i with the other labels where they stand now."""
-    others = [j for j in range(len(choices)) if j != i]
-    if not others:
-        return np.zeros(len(choices[i].places))
-    taken = np.array([choices[j].place for j in others])
-    boxes = np.array([choices[j].request.box for j in others])
-    gap = choices[i].places[:, None] - taken[None, :]
-    dx = np.abs(gap.real) - boxes[:, 0] - choices[i].request.box[0]
-    dy = np.abs(gap.imag) - boxes[:, 1] - choices[i].request.box[1]
-    space = np.maximum(dx, dy)
+class _Standing:
+    """Where all labels stand now: their places, boxes and leaders."""
+
+    def __init__(self, choices: Sequence[_Choice]) -> None:
+        self._places = np.array([choice.place for choice in choices])
+        self._boxes = np.array([choice.request.box for choice in choices])
+        self._leaders = [choice.leader for choice in choices]
+
+    def move(self, i: int, choice: _Choice) -> None:
+        """Note that label i has moved."""
+        self._places[i], self._leaders[i] = choice.place, choice.leader
+
+    def but(self, i: int) -> tuple[Places, NDArray[np.float64], list[Path]]:
+        """Those of all labels but one."""
+        others = np.arange(len(self._places)) != i
+        leaders = [leader for j, leader in enumerate(self._leaders) if leader and j != i]
+        return self._places[others], self._boxes[others], leaders
+
+
+def _pair_costs(own: _Choice, places: Places, boxes: NDArray[np.float64], leaders: Sequence[Path]) -> Costs:
+    """Cost of the overlaps of each candidate of a label with others of these places, boxes and leaders."""
+    across = np.abs(own.places.imag[:, None] - places.imag)
+    dx = np.abs(own.places.real[:, None] - places.real) - boxes[:, 0] - own.request.box[0]
+    space = np.maximum(dx, across - boxes[:, 1] - own.request.box[1])
     # Letters side by side on one line read as a product.
-    product = (dx < _BESIDE) & (np.abs(gap.imag) < 0.7 * choices[i].request.box[1])
-    result: Costs = np.sum(_LABEL * (space < _TIGHT) + _CLOSE * (space < GAP) + _PRODUCT * product, axis=1)
-    return result + _leader_costs(choices, i)
+    product = (dx < _BESIDE) & (across < 0.7 * own.request.box[1])
+    result: Costs = np.add.reduce(_LABEL * (space < _TIGHT) + _CLOSE * (space < GAP) + _PRODUCT * product, axis=1)
+    return result + _leader_costs(own, places, boxes + _TIGHT, leaders)
 
 
-def _leader_costs(choices: Sequence[_Choice], i: int) -> Costs:
-    """Cost of other labels' leaders under each candidate of label i, and of its own leaders over other labels."""
-    own = choices[i]
-    others = [choice for j, choice in enumerate(choices) if j != i]
+def _leader_costs(own: _Choice, places: Places, boxes: NDArray[np.float64], leaders: Sequence[Path]) -> Costs:
+    """Cost of leaders of others under each candidate of a label, and of its own leaders over their boxes."""
     costs = np.zeros(len(own.places))
-    led = np.flatnonzero(own.led)
-    if led.size:
-        places = np.array([other.place for other in others])
-        boxes = np.array([other.request.box for other in others]) + _TIGHT
-        ways = 0.5 * (own.places[led] - own.request.anchor)
+    if own.led.any():
+        ways = 0.5 * (own.places[own.led] - own.request.anchor)
         middles = own.request.anchor + ways - places[:, None]
-        costs[led] += _LABEL * np.sum(crosses(middles, ways, (boxes[:, :1], boxes[:, 1:])), axis=0)
-    leaders = [leader.points for other in others if (leader := other.leader)]
+        costs[own.led] += _LABEL * np.add.reduce(crosses(middles, ways, (boxes[:, :1], boxes[:, 1:])), axis=0)
     if leaders:
         box = (own.request.box[0] + _TIGHT, own.request.box[1] + _TIGHT)
-        costs += _LABEL * boxes_crossed(own.places, box, np.array(leaders))
+        costs += _LABEL * boxes_crossed(own.places, box, np.array([leader.points for leader in leaders]))
     return costs
 
 

@@ -11,14 +11,14 @@ _FAULT = 10  # a label that is crossed or covered, in leaders
 _FEW, _SHARE = 2, 6  # leaders that do not make a drawing crowded: so many, or one for so many labels
 
 
-def first_clean(makers: Iterable[Callable[[], Drawing]]) -> Drawing:
+def first_clean(drawings: Iterable[Drawing]) -> Drawing:
     """The first drawing without a fault of its labels, or the one with the fewest faults; there is at least one."""
-    return _first(makers, count_label_faults, 0)
+    return _first(drawings, count_label_faults)
 
 
-def first_roomy(makers: Iterable[Callable[[], Drawing]]) -> Drawing:
+def first_roomy(drawings: Iterable[Drawing]) -> Drawing:
     """The same, where labels that are led to from afar are too many as well."""
-    return _first(makers, _crowding, 0)
+    return _first(drawings, _crowding)
 
 
 def _crowding(drawing: Drawing) -> int:
@@ -28,13 +28,12 @@ def _crowding(drawing: Drawing) -> int:
     return _FAULT * faults + max(0, len(leaders(drawing)) - allowed)
 
 
-def _first(makers: Iterable[Callable[[], Drawing]], crowding: Callable[[Drawing], int], allowed: int) -> Drawing:
-    """The first drawing that is not more crowded than allowed, or the least crowded one."""
+def _first(drawings: Iterable[Drawing], crowding: Callable[[Drawing], int]) -> Drawing:
+    """The first drawing that is not crowded, or the least crowded one; no more are made than are looked at."""
     best: tuple[int, Drawing] | None = None
-    for make in makers:
-        drawing = make()
+    for drawing in drawings:
         found = crowding(drawing)
-        if found <= allowed:
+        if not found:
             return drawing
         if best is None or found < best[0]:
             best = (found, drawing)

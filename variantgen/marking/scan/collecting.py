@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -65,8 +65,15 @@ class Scans:
         ]
 
 
-def collect(paths: Sequence[Path], key: Key, names: Mapping[Path, str] | None = None) -> Scans:
+def collect(
+    paths: Sequence[Path],
+    key: Key,
+    names: Mapping[Path, str] | None = None,
+    tell: Callable[[Path, int], None] = lambda *_: None,
+) -> Scans:
     """Read the pages of some files; ``names`` are words for them where their own may name students.
+
+    ``tell`` is called for each page that has been read, with its file and how many of that have been.
 
     Raises InputError for a file that cannot be opened, and ToolMissingError where a package is missing.
     """
@@ -74,8 +81,9 @@ def collect(paths: Sequence[Path], key: Key, names: Mapping[Path, str] | None = 
     class_ = _Class(key)
     for path in paths:
         name = path.name if names is None else names[path]
-        for picture in pictures(path):
+        for number, picture in enumerate(pictures(path), start=1):
             class_.add(replace(picture, where=name + picture.where.removeprefix(path.name)))
+            tell(path, number)
         class_.end_of_file(name)
     class_.end()
     return class_.scans
@@ -166,7 +174,7 @@ class _Class:
             result = confirmed(read, right)
             readings = self._readings.setdefault(asked, [])
             picture = _block(grey, found.placed, block) if result.why or readings else b""
-            readings.append(ScannedAnswer(found.where, result, picture, read.others))
+            readings.append(ScannedAnswer(found.where, result, picture, read.others, read.seen))
 
     def end_of_file(self, name: str) -> None:
         """Say what was left out of a file."""

@@ -7,7 +7,7 @@ nobody decides but a person, or the key.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 
 import numpy as np
@@ -39,12 +39,14 @@ class Column:
     """A column as it was read: its value (None: blank), and ``doubt``, why a person should look ('' if none).
 
     ``others`` are the values that it may have instead; ``open`` says that no value is more likely than others.
+    ``dark`` are the bubbles in which something is seen, with their darkness as a share of that of the usual mark.
     """
 
     value: int | None
     doubt: str = ""
     others: tuple[int | None, ...] = ()
     open: bool = False
+    dark: tuple[tuple[int, float], ...] = ()
 
 
 def columns(measured: Darkness) -> list[list[Column]]:
@@ -60,11 +62,19 @@ def columns(measured: Darkness) -> list[list[Column]]:
         crossed[:] = False  # this is how the student marks
     clear = np.all(measured.beside > max(_CLEAR * usual, _LEAST_CLEAR), axis=-1)
     for dark, out, firm in zip(measured.bubbles, crossed, clear, strict=True):
-        found.append([_column(dark[places], out[places], firm[places], usual, noise) for places in _places()])
+        own = [_column(dark[places], out[places], firm[places], usual, noise) for places in _places()]
+        found.append([replace(c, dark=_seen(dark[places], usual)) for c, places in zip(own, _places(), strict=True)])
     writes = _writes(found, written)
     if writes:
         found = [_with_boxes(own, boxes) for own, boxes in zip(found, written, strict=True)]
     return found
+
+
+def _seen(dark: Array, usual: float) -> tuple[tuple[int, float], ...]:
+    """The bubbles of a column in which something is seen, the darkest first."""
+    values = _values()[_kind_of(len(dark))]
+    order = [int(k) for k in np.argsort(-dark) if dark[k] > _TRACE * usual]
+    return tuple((values[k], float(dark[k]) / usual) for k in order)
 
 
 @cache
@@ -149,7 +159,7 @@ def _with_boxes(own: list[Column], boxes: NDArray[np.bool_]) -> list[Column]:
         column = own[k]
         if column.value is None and boxes[k] and not column.doubt:
             # Where not even a trace is in the bubbles, these say what they say: the key may agree with them.
-            found[k] = Column(None, "unfilled", column.others, open=k != page.MINUS and bool(column.others))
+            found[k] = replace(column, doubt="unfilled", open=k != page.MINUS and bool(column.others))
         elif column.value is not None and not boxes[k]:
-            found[k] = Column(column.value, column.doubt or "unwritten", (*column.others, None), column.open)
+            found[k] = replace(column, doubt=column.doubt or "unwritten", others=(*column.others, None))
     return found

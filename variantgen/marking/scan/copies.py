@@ -18,13 +18,15 @@ DIFFER = "pages differ"
 class ScannedAnswer:
     """An answer on a page: where it was read, how, and for doubtful ones a picture (PNG).
 
-    ``others`` are the numbers that it may say instead.
+    ``others`` are the numbers that it may say instead, ``seen`` the bubbles of doubtful columns (see
+    :class:`~variantgen.marking.scan.numbers.Reading`).
     """
 
     where: str
     read: Confirmed
     picture: bytes = b""
     others: tuple[str, ...] = ()
+    seen: tuple[tuple[int, int, float], ...] = ()
 
 
 def decided(readings: Sequence[ScannedAnswer]) -> ScannedAnswer:
@@ -46,4 +48,4 @@ def decided(readings: Sequence[ScannedAnswer]) -> ScannedAnswer:
     shown = next((own for own in reversed(readings) if own.picture), (doubtful or clear)[0])  # what is told is seen
     why = dict.fromkeys([*(one for own in doubtful for one in own.read.why), DIFFER])
     where = ", ".join(dict.fromkeys(own.where for own in readings))
-    return ScannedAnswer(where, Confirmed(shown.read.text, tuple(why)), shown.picture)
+    return ScannedAnswer(where, Confirmed(shown.read.text, tuple(why)), shown.picture, seen=shown.seen)

@@ -18,7 +18,8 @@ class Reading:
 
     ``doubts`` say why a person should look, each reason once; ``doubtful`` columns have them. Only a reading that
     ``may_confirm`` itself is taken where the key agrees. ``others`` are readings that would come about if a doubtful
-    or weak column were read in another way.
+    or weak column were read in another way. ``seen`` are bubbles of doubtful columns: the number of the column, the
+    value, the darkness as a share of that of the usual mark.
     """
 
     text: str | None
@@ -26,6 +27,7 @@ class Reading:
     may_confirm: bool = True
     others: tuple[str, ...] = ()
     doubtful: int = 0
+    seen: tuple[tuple[int, int, float], ...] = ()
 
 
 def reading(own: Sequence[Column]) -> Reading:
@@ -36,7 +38,8 @@ def reading(own: Sequence[Column]) -> Reading:
         doubts = (*doubts, "gap")
     others = tuple(dict.fromkeys(other for other in _others(own) if other != text))
     open_ = text is None or any(column.open for column in own)
-    return Reading(text, doubts, not open_, others, sum(bool(column.doubt) for column in own))
+    seen = tuple((k, *bubble) for k, column in enumerate(own) if column.doubt for bubble in column.dark)
+    return Reading(text, doubts, not open_, others, sum(bool(column.doubt) for column in own), seen)
 
 
 def number(values: Sequence[int | None]) -> str | None:

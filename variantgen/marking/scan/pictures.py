@@ -64,6 +64,26 @@ def pictures(path: Path) -> Iterator[ScanImage]:
     yield from _pdf_pages(path) if head == b"%PDF-" else _image_pages(path)
 
 
+def page_count(path: Path) -> int:
+    """How many pages a file has; 0 for one that cannot be opened."""
+    try:
+        with path.open("rb") as file:
+            head = file.read(5)
+        if head == b"%PDF-":
+            import pypdfium2
+
+            with pypdfium2.PdfDocument(path) as document:
+                return len(document)
+        from PIL import Image
+
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # sizes are looked at where pages are read
+            with Image.open(path, formats=_FORMATS) as image:
+                return int(getattr(image, "n_frames", 1))
+    except Exception:  # noqa: BLE001  # of whatever library; what is wrong is told where the file is read
+        return 0
+
+
 def _refused(path: Path, message: str, remedy: str) -> InputError:
     return InputError(Problem(message, file=str(path), remedy=remedy))
 

@@ -17,7 +17,6 @@ from variantgen.families.quantities.kinds import MEAN
 from variantgen.mechanism.crank_turn import crank_of
 from variantgen.mechanism.linkage import Linkage
 from variantgen.methods.by_groups.turn_positions import by_positions, turn_measure, turn_name
-from variantgen.methods.geometry.angles import corner_name
 from variantgen.methods.linkage.problem import CLOSE
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Body, Derived, Fact, Point, Segment
@@ -177,7 +176,7 @@ def _of_rocker(book: Book, kind: str, found: _Limits, ends: tuple[Value, Value])
         if not abs(cosine.number(True)) <= 1:
             return None
         first = found.pivot if kind == "swing" else found.centre
-        name = Name("limit_corner", corner_name(at, first, found.end).about, str(number), body=at)
+        name = Name("limit_corner", f"{first} {found.end}", str(number), body=at)  # the end that moves has the number
         corners.append(book.derive(name, "angle", Applied("arccos", cosine)))
     larger, smaller = sorted(corners, key=lambda corner: -corner.exact)
     return larger - smaller if kind == "swing" else _ratio_of_times(book, larger - smaller)

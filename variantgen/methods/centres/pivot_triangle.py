@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 from variantgen.algebra.expression import Constant, Expression, Total, Value
 from variantgen.algebra.name import Name
@@ -98,12 +99,12 @@ class _Link:
         """The moving end."""
         return self.term.point
 
-    @property
+    @cached_property
     def pivot(self) -> str:
         """The fixed end, or nothing where the velocity is not across such a link."""
         return _pivot(self.book, self.term)
 
-    @property
+    @cached_property
     def share(self) -> float:
         """How far the centre is from the pivot in links, negative beyond it."""
         z = self.book.task.now.z

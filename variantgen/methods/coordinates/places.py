@@ -41,7 +41,8 @@ def _place(model: Model, value: Value, name: Name) -> Expression | None:
             own = geometry.coordinates(name.of)["xy".index(name.kind)]
             return None if own is value else own
         case "direction" if value in model.coordinates:
-            return geometry.direction(name.of, name.about).expression
+            ray = geometry.direction(name.of, name.about)
+            return ray if ray.expression is not None and ray.name != name else ray.expression  # phi_CA is phi
         case "slide" if value in model.coordinates and name.about in model.task.now.z:
             return model.geometry.length(name.of, name.about)
         case "slide" | "arc" if value in model.coordinates and value.exact:

@@ -13,8 +13,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from variantgen.algebra.expression import Value
+from variantgen.algebra.expression import Constant, Expression, Pi, Ratio, Value
 from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import simplified
 from variantgen.families.expressions import FamilyExpression
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.linkage.time_laws import angle_law
@@ -120,7 +121,7 @@ class Angles:
         if name not in self._laws:
             law = angle_law(self._task, name)
             assert law is not None, "a name among angles is a given one or a law"
-            self._laws[name] = Value(Name("parameter", name), "angle", law[1].number(True), law[1])
+            self._laws[name] = _in_degrees(Name("parameter", name), law[1])
         return self._laws[name]
 
     def relative(self, form: AngleForm) -> AngleForm:
@@ -131,6 +132,16 @@ class Angles:
         """An angle with the x axis of the scene as one with the x axis of the paper."""
         placed = form if self.sense > 0 else form.times(-1.0).turned(180.0)
         return placed.turned(self._turn)
+
+
+def _in_degrees(name: Name, law: Expression) -> Value:
+    """An angle by its law in degrees; what is ``180 (...) / pi`` is a value in radians first."""
+    if not isinstance(law, Ratio) or law.below != Pi():
+        return Value(name, "angle", law.number(True), law)
+    plain = simplified(law * Pi() / Constant(180.0))
+    radians = Value(name, "number", plain.number(True), plain, unit="rad")
+    shown = Constant(180.0, "angle") * radians / Pi()
+    return Value(name, "angle", shown.number(True), shown)
 
 
 def corner_name(vertex: str, first: str, second: str) -> Name:

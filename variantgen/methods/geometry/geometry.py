@@ -127,8 +127,8 @@ class Geometry(PositionLines):
         """A radius by that of a disc in the figure, if there is one."""
         if isinstance(drawn, Value):
             return self._taken(drawn)
-        if drawn is None:
-            return self.unnamed_radii.of(body, exact)
+        if drawn is None or isinstance(drawn, Constant):  # a number needs no line
+            return self.unnamed_radii.of(body, exact if drawn is None else drawn.number(True))
         name = self.unnamed_radii.named(body, exact)
         self.say("radius", radius=name, body=Body(body))
         return self._entered(name, "length", drawn)

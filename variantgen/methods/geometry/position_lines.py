@@ -67,7 +67,8 @@ class PositionLines(Layout):
         if value.expression is not None and not any(isinstance(i, Derived) and i.value is value for i in self.items):
             if value.name is not None and value.name.of not in self.task.given:  # found by a law of time
                 self.say("law_angle", False, angle=value)
-            self.items.append(Derived(value))
+            same = [part for part in parts(value.expression) if part.name == value.name and part.expression]
+            self.items += [*map(Derived, same), Derived(value, symbolic=not same)]
         return value
 
     # Corners of triangles.
@@ -76,14 +77,19 @@ class PositionLines(Layout):
         """The angle of a triangle at a vertex, 0 to 180 degrees, with its line; a plain number needs none."""
         if isinstance(expression, Constant) or {vertex, first, second} & set(self.task.form.figure.hidden):
             return expression
-        key = (vertex, frozenset((first, second)))
+        key = (vertex, frozenset(map(self._named_place, (first, second))))
         if key not in self._corners:
             self._corners[key] = self._entered(Name("angle", vertex, f"{first} {second}"), "angle", expression)
         return self._corners[key]
 
     def known_corner(self, vertex: str, first: str, second: str) -> Value | None:
         """A corner of a triangle that has a line already."""
-        return self._corners.get((vertex, frozenset((first, second))))
+        return self._corners.get((vertex, frozenset(map(self._named_place, (first, second)))))
+
+    def _named_place(self, point: str) -> str:
+        """The first of the points in one place: under a pin lies a point of the slotted link."""
+        z = self.task.now.z
+        return next(name for name in z if z[name] == z[point])
 
     def foot(self, start: str, on_line: str, end: str, along: Expression, across: Expression) -> Pair | None:
         """The legs SH along a line and EH of the right triangle that a perpendicular from the end E makes, with lines.

@@ -7,6 +7,7 @@ from functools import cached_property
 from variantgen.mechanism.joints.rolling import Rolling
 from variantgen.mechanism.joints.rolling_on_circle import RollingOnCircle
 from variantgen.mechanism.rows import ScalarRow
+from variantgen.methods.groups.carriers import is_within_reach
 from variantgen.methods.groups.contact import NoSlipContact
 from variantgen.methods.groups.contacts_of_scene import contacts_of_scene
 from variantgen.methods.groups.group import (
@@ -22,6 +23,7 @@ class KnownMotion:
         self.book = book
         self.task = book.task
         self.scene = book.task.scene
+        self.at_last = False  # whether points are known too that a neighbour of a neighbour leads to
 
     @cached_property
     def contacts(self) -> dict[int, NoSlipContact]:
@@ -35,7 +37,9 @@ class KnownMotion:
 
     def is_known(self, point: str) -> bool:
         """Whether the velocity of a point is known or can be had from a body whose motion is known."""
-        return point in self.book.velocity or any(self.is_moved(body) for body in self.owners(point))
+        if point in self.book.velocity or any(self.is_moved(body) for body in self.owners(point)):
+            return True
+        return self.at_last and is_within_reach(self.book, point)
 
     def owners(self, point: str) -> list[str]:
         """Bodies of a point."""

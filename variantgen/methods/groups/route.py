@@ -43,6 +43,16 @@ class Route(KnownMotion):
 
     def next(self) -> Group | None:
         """The next group that adds something that is needed, or None when nothing does."""
+        for at_last in (False, True):
+            self.at_last = at_last
+            found = next((group for group in self._groups() if group not in self.taken), None)
+            if found is not None:
+                self.taken.append(found)
+                return found
+        return None
+
+    def _groups(self) -> Iterator[Group]:
+        """The groups within reach, in the order in which they are taken."""
         searches = (
             self._relative_rotations,
             self._fixed_sleeves,
@@ -58,10 +68,8 @@ class Route(KnownMotion):
             self._third_class_groups,
             self._rolling_contact_poles,
         )
-        found = next((group for search in searches for group in search() if group not in self.taken), None)
-        if found is not None:
-            self.taken.append(found)
-        return found
+        for search in searches:
+            yield from search()
 
     def _relative_rotations(self) -> Iterator[Group]:
         for number, driver in enumerate(self.scene.drivers):

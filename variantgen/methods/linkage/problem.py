@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import combinations
+from types import MappingProxyType
 
 from variantgen.algebra.expression import Constant, Expression, Pi, Value
 from variantgen.algebra.name import Name
@@ -178,12 +179,16 @@ class Task:
         """The value of an expression of the family in SI."""
         return float(expression.value(self.si))
 
-    def expressed(self, expression: FamilyExpression, degrees: bool = False) -> Expression | None:
+    def expressed(
+        self, expression: FamilyExpression, degrees: bool = False, known: Mapping[str, Value] = MappingProxyType({})
+    ) -> Expression | None:
         """An expression of the family as one of the solution, if every part of it can be shown; choices are signs.
 
-        An angle is a plain number, or in ``degrees``.
+        An angle is a plain number, or in ``degrees``; ``known`` quantities are not written out.
         """
-        return self._translator.translate(expression, degrees)
+        if not known:
+            return self._translator.translate(expression, degrees)
+        return replace(self._translator, named=lambda name: known.get(name) or self._named(name)).translate(expression)
 
     def drawn_radius(self, centre: str, exact: float) -> Expression | None:
         """The radius of that length (printed unit) of a disc about a point in the figure; None where there is none."""

@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from variantgen.algebra.expression import Expression, Total
+from variantgen.algebra.expression import Expression, Total, Value
+from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import simplified
 from variantgen.families.expressions import FamilyExpression
 from variantgen.families.family import Form
@@ -36,6 +37,29 @@ def is_uniformly_accelerated(form: Form, source: FamilyExpression) -> bool:
     used = form.derived[f"{name}_ddot"].names & set(form.parameters) if name else set()
     units = [form.parameters[own].unit for own in used]
     return bool(name) and not any(unit is not None and unit.dimension == _TIME for unit in units)
+
+
+def rate_of_law(task: Task, source: FamilyExpression) -> tuple[Value, Expression] | None:
+    """The derivative of a law of time in an expression of the family, with its sign; the expression by that letter.
+
+    None where the expression holds no such derivative, several of them, or what cannot be written out, and where a
+    family has a statement of its own, which may speak of the law in words, without its letter.
+    """
+    if task.variant.family.folder is not None:
+        return None
+    suffixes = {"_dot": 1, "_ddot": 2}
+    names = {law + suffix: (law, dots) for law in laws(task.form) for suffix, dots in suffixes.items()}
+    found = sorted(source.names & names.keys())
+    rate = task.expressed(task.form.derived[found[0]]) if len(found) == 1 else None
+    if rate is None:
+        return None
+    (law, dots), rate = names[found[0]], simplified(rate)
+    measure = ("velocity", "acceleration")[dots - 1]
+    if not task.form.laws[law].is_length:
+        measure = f"angular {measure}"
+    value = Value(Name("parameter", law, dots=dots), measure, rate.number(True), rate)
+    by_letter = task.expressed(source, known={found[0]: value})
+    return None if by_letter is None else (value, simplified(by_letter))
 
 
 def _law_of(form: Form, source: FamilyExpression) -> str:

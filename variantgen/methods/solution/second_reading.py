@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from variantgen.algebra.expression import Expression, Value
 from variantgen.algebra.name import Name
-from variantgen.algebra.values import in_order, parts
+from variantgen.algebra.values import in_order, made_of, parts
 from variantgen.methods.solution.used import read
 from variantgen.methods.steps.step import (
     Body,
@@ -45,7 +45,8 @@ def read_again(steps: Sequence[Step], results: Iterable[Value]) -> list[Step]:
     becomes its beginning.
     """
     asked = {value.name for value in results if value.name is not None}
-    once = _without_idle_centres(_with_letters(_without_repeated_reasons(_without_repeated_lines(steps))))
+    whole = _with_letters(_with_conversions(_without_repeated_lines(steps)))
+    once = _without_idle_centres(_without_repeated_reasons(whole))
     return _joined(_without_known_directions(once), asked)
 
 
@@ -64,6 +65,26 @@ def _without_repeated_lines(steps: Sequence[Step]) -> list[Step]:
                 found.add(mark)
             items.append(item)
         seen |= found
+        kept.append(replace(step, items=items))
+    return kept
+
+
+def _with_conversions(steps: Sequence[Step]) -> list[Step]:
+    """The steps with a line before the first use of a datum in another unit: ``omega = pi 120 / 30 = 12.57 rad/s``."""
+    shown = {item.value for step in steps for item in step.items if isinstance(item, Derived)}
+    met: set[Value] = set()
+    kept: list[Step] = []
+    for step in steps:
+        items: list[Item] = []
+        for item in step.items:
+            more = in_order(read(item), met)
+            met.update(more)
+            for value in more:
+                same = any(p.name == value.name for p in made_of(value))
+                if same and value.name is not None and value.measure.startswith("angular") and value not in shown:
+                    shown.add(value)
+                    items.append(Derived(value, symbolic=False))
+            items.append(item)
         kept.append(replace(step, items=items))
     return kept
 

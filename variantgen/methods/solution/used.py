@@ -11,8 +11,11 @@ from variantgen.algebra.values import in_order, parts
 from variantgen.methods.steps.printed_digits import facts_values, items_values
 from variantgen.methods.steps.step import Derived, Item, Projection, Sentence, Step, TermTable, VectorLine, VectorOf
 
-_QUIET = ("length", "angle", "direction", "parameter", "v", "a", "epsilon")  # kinds that nothing but formulas needs
-_RATES = [f"rates.epsilon_{sense}{end}" for sense in ("clockwise", "counter_clockwise") for end in ("", "_sum")]
+_TURNING = ("omega", "epsilon")
+_QUIET = ("length", "angle", "direction", "parameter", "v", "a", *_TURNING)  # kinds that nothing but formulas needs
+_SENSES = ("clockwise", "counter_clockwise")
+_RATES = [f"rates.{kind}_{sense}{end}" for kind in _TURNING for sense in _SENSES for end in ("", "_sum")]
+_BY_CENTRE = "velocity_centre.link"  # the heading of the velocity of a point and of the angular velocity of a link
 _ANNOUNCED = [f"velocity_centre.direction_{sense}" for sense in ("clockwise", "counter_clockwise")]
 _BOTH = "points.about_pivot_a"  # the sentence about both components of an acceleration
 
@@ -63,12 +66,24 @@ def used_lines(steps: Sequence[Step], results: Iterable[Value]) -> list[Step]:
             more = in_order(read(item), met)
             met.update(more)
             names |= _names(more)
-        kept.append(replace(step, items=items[::-1]))
+        kept.append(replace(step, heading=_heading(step, items), items=items[::-1]))
     return kept[::-1]
 
 
+def _heading(step: Step, items: Collection[Item]) -> Sentence:
+    """The heading of a step, without the angular velocity of the link where the line that finds it is left out."""
+    found = {item.value.name for item in step.items if isinstance(item, Derived)}
+    gone = found - {item.value.name for item in items if isinstance(item, Derived)}
+    if step.heading.key == _BY_CENTRE and any(name is not None and name.kind == "omega" for name in gone):
+        return Sentence("velocity_centre.point", {"point": step.heading.facts["point"]})
+    return step.heading
+
+
 def _is_idle(item: Item, needed: Collection[Name]) -> bool:
-    """Whether a line finds only what is not needed, or a sentence tells the sense of such an angular acceleration."""
+    """Whether a line finds only what is not needed, or a sentence tells the sense of such a rate.
+
+    Of the roots of a system those that are rates are left out, and the lines that show how something is computed.
+    """
     if isinstance(item, Sentence):
         rate = item.facts.get("rate")
         if item.key not in _RATES or not isinstance(rate, Name):
@@ -77,8 +92,10 @@ def _is_idle(item: Item, needed: Collection[Name]) -> bool:
         return not any(name.kind == kind and name.of == body for name in needed)
     if not isinstance(item, Derived):
         return False
-    name, found = item.value.name, item.symbolic and item.value.exact != 0
-    return found and name is not None and name.kind in _QUIET and name not in needed
+    name = item.value.name
+    if name is None or item.value.exact == 0 or name in needed:
+        return False
+    return name.kind in (_QUIET if item.symbolic else () if item.numeric else _TURNING)
 
 
 def _leads_nowhere(item: Item, met: Collection[Name]) -> bool:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from variantgen.algebra.decimals import PRINTED_DIGITS
 from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
-from variantgen.algebra.values import in_order, parts
+from variantgen.algebra.values import in_order, made_of, parts
 from variantgen.methods.steps.step import (
     Ascending,
     Balance,
@@ -43,7 +43,7 @@ def choose_printed_digits(items: Iterable[Item], answers: Sequence[Value]) -> No
     longer: set[float] = set()
     for value in values:
         if not value.comes_out and value.expression is not None:
-            sizes = {abs(part.exact) for part in parts(value.expression)} & alike.keys() - longer
+            sizes = {abs(part.exact) for part in made_of(value)} & alike.keys() - longer
             ones = [item for size in sizes for item in alike[size]]
             for item in ones:
                 item.round_to(PRINTED_DIGITS + 1)
@@ -98,12 +98,13 @@ def facts_values(sentence: Sentence) -> list[Value]:
     waiting: list[Fact] = list(sentence.facts.values())
     while waiting:
         fact = waiting.pop()
-        if isinstance(fact, Value):
+        # Exact types: every pass over a solution comes here, and most facts are none of these.
+        if type(fact) is Value:
             found.append(fact)
-        elif isinstance(fact, NumberOf):
+        elif type(fact) is NumberOf:
             found.append(fact.value)
-        elif isinstance(fact, Sentence):
+        elif type(fact) is Sentence:
             waiting += fact.facts.values()
-        elif isinstance(fact, tuple) and not isinstance(fact, Name):
+        elif type(fact) is tuple and not isinstance(fact, Name):
             waiting += fact
     return found

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from variantgen.algebra.expression import Expression, Total, Value
 from variantgen.algebra.name import Name
+from variantgen.methods.geometry.angles import degrees
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.groups.contact import ContactSide, NoSlipContact, contact_name, letter_of
 from variantgen.methods.groups.contacts_of_scene import contact_of
@@ -14,7 +15,7 @@ from variantgen.methods.groups.group import ContactGroup
 from variantgen.methods.solution.book import Book, Rate
 from variantgen.methods.steps.step import Body, Fact, Point, Sentence, Term, VectorOf, Word
 from variantgen.methods.vectors.diameter import beyond_centre, other_end
-from variantgen.methods.vectors.directions import on_paper
+from variantgen.methods.vectors.directions import QUARTERS, on_paper
 from variantgen.methods.vectors.point_paths import on_path
 from variantgen.methods.vectors.points import modulus
 from variantgen.methods.vectors.turning_speed import related, turning_speed
@@ -70,7 +71,9 @@ def say_same(book: Book, group: ContactGroup, number: int, known: ContactSide, s
     turning = [side for side in (known, sought) if side.lever]
     if touch.place and book.order == 1:
         for side in turning:
-            book.say(touch.place, False, contact=Point(side.name), body=Body(side.body))
+            where = on_paper(degrees(-1j * side.lever * side.line))  # of the centre
+            key = f"{touch.place}_{where}" if where in QUARTERS else touch.place
+            book.say(key, False, contact=Point(side.name), body=Body(side.body))
     key = f"{touch.kind}.{word}_{book.letter}"
     # The differentiated condition is written in full once a step; an earlier step may be left out of the solution.
     again = book.order == 2 and word == "same" and bool(touch.reason) and _is_said(book, key)

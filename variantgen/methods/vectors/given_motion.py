@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from variantgen.algebra.expression import Constant, Expression, Pi, Ratio, Times, Total, Value
+from variantgen.algebra.expression import Constant, Expression, Magnitude, Pi, Ratio, Times, Total, Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import simplified
 from variantgen.families.expressions import FamilyExpression
@@ -21,13 +21,14 @@ from variantgen.mechanism.scene import label
 from variantgen.methods.geometry.geometry import Geometry, degrees, normal_angle
 from variantgen.methods.groups.group import PointPath
 from variantgen.methods.groups.route import Route
-from variantgen.methods.linkage.time_laws import is_uniformly_accelerated, law_behind
+from variantgen.methods.linkage.time_laws import is_uniformly_accelerated, law_behind, rate_of_law
 from variantgen.methods.solution.book import Book, Known, Rate, resultant
-from variantgen.methods.steps.step import Body, Fact, Point, Term
+from variantgen.methods.steps.step import Body, Derived, Fact, Point, Term
 from variantgen.methods.vectors.point_paths import on_path
 from variantgen.methods.vectors.points import sum_up
 
 _IN_GROUPS = (Rotation, Extension, RelativeTravel, Circling)  # relative motion: given with a group of the route
+_RATES = ("omega", "epsilon")
 _LEVEL = 1e-9  # of a unit vector
 _REST = 1e-12  # of the natural scale: a vector below it is none
 
@@ -73,7 +74,10 @@ def _enter_component(book: Book, template: ComponentTemplate, driver: Constraint
         size = amount(book, template, book.letter, book.measure)
         way *= _sign((book.exact(point) * way.conjugate()).real)
     else:
-        size = book.derive(name, book.measure, simplified(stated if (ray * way.conjugate()).real > 0 else -stated))
+        ahead = (ray * way.conjugate()).real > 0
+        by_law = rate_of_law(book.task, source) if isinstance(source, FamilyExpression) else None
+        law = None if by_law is None else by_law[1] if ahead else -by_law[1]
+        size = book.derive(name, book.measure, simplified(stated if ahead else -stated), law)
     before = book.vectors.get(point, ())
     angle = book.geometry.stated_angle(None, way)
     book.vectors[point] = (*before, book.term(name, size, angle, "given", point=Point(point)))
@@ -138,8 +142,11 @@ def amount(book: Book, template: ComponentTemplate, key: str, measure: str) -> V
     if not isinstance(source, FamilyExpression):
         return Value(None, measure, 0.0)
     expression = unsigned(book.task.expressed(source))
-    if isinstance(expression, Value):
-        return expression
+    if isinstance(expression, Value) and expression.measure == measure:  # not the time t, a derivative of t^2 / 2
+        name = _name_of(book, template, key)
+        if expression.expression is None or name.kind not in _RATES or _is_letter_of_rate(expression):
+            return expression
+        return book.derive(name, measure, expression.expression)  # n in rpm is no angular velocity
     number = abs(book.task.read(source))
     if measure in ("velocity", "acceleration"):
         number /= book.task.length_unit
@@ -151,10 +158,35 @@ def amount(book: Book, template: ComponentTemplate, key: str, measure: str) -> V
         return book.derive(_name_of(book, template, key), measure, Ratio(Times((Pi(), in_turns)), Constant(30.0)))
     if book.order == 1:
         _say_law(book, template, source)
+    name = _name_of(book, template, key)
+    by_law = rate_of_law(book.task, source)
+    if by_law is not None:
+        stated = book.task.expressed(source)
+        assert stated is not None, "by its law it can be"
+        return _by_law(book, name, measure, simplified(stated), *by_law)
     simple = unsigned(simplified(expression))
     assert simple is not None
     expression = simple if simple.number(True) >= 0 else -simple  # a magnitude: the figure shows the sense
-    return book.derive(_name_of(book, template, key), measure, expression)
+    return book.derive(name, measure, expression)
+
+
+def _is_letter_of_rate(value: Value) -> bool:
+    return value.name is not None and value.name.of.startswith(_RATES)
+
+
+def _by_law(book: Book, name: Name, measure: str, expression: Expression, rate: Value, by_letter: Expression) -> Value:
+    """The magnitude of a rate that a law gives: ``omega = phi' = ...``; a negative derivative has a line of its own."""
+    assert rate.name is not None
+    if expression.number(True) >= 0:
+        found = book.derive(name, measure, expression, by_letter)
+    else:
+        book.items.append(Derived(rate))
+        found = book.derive(name, measure, Magnitude(by_letter))
+    velocity = rate.name._replace(dots=1)
+    book.values[rate.name] = rate
+    if velocity in book.values and book.values[velocity].exact * rate.exact < 0:
+        book.say("given.slowing", False, first=velocity, second=rate.name)
+    return found
 
 
 def _is_of_law(book: Book, source: FamilyExpression) -> bool:
@@ -167,13 +199,13 @@ def _say_law(book: Book, template: ComponentTemplate, source: FamilyExpression) 
     if law is None:
         return
     point = template.fields.get("point")
-    name, measure = ("s", "length") if isinstance(point, str) else ("phi", "number")
     facts: dict[str, Fact] = (
         {"point": Point(point)} if isinstance(point, str) else {"body": Body(template.fields["body"])}
     )
-    uniform = "_uniform" if name == "s" and is_uniformly_accelerated(book.task.form, source) else ""
-    book.say(f"given.law_{name}{uniform}", False, **facts)
-    book.derive(Name("parameter", name), measure, law)
+    uniform = isinstance(point, str) and is_uniformly_accelerated(book.task.form, source)
+    book.say("given.law_" + ("s_uniform" if uniform else "s" if isinstance(point, str) else "phi"), False, **facts)
+    if isinstance(point, str) and rate_of_law(book.task, source) is None:  # the statement has no letter for it
+        book.derive(Name("parameter", "s"), "length", law)
 
 
 def _name_of(book: Book, template: ComponentTemplate, key: str) -> Name:

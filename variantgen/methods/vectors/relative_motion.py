@@ -261,8 +261,9 @@ def _wanted(book: Book, group: SlidingPair, sides: _Sides) -> list[Term | None]:
     relative = sides.relative if asked or (leading and book.order < task.order) else None
     last = book.order == 2 and is_last_sought(task, point, book.vectors)
     turn = None if last or not is_rate_wanted(task, book.order, group.carrier, {point}) else sides.turn
-    # The vector of the point itself follows from the rate of its body.
-    sought = any(q.target == point and q.kind == book.letter for q in task.sought)
+    # The vector of the point itself follows from the rate of its body; another link may be hinged to the point.
+    hinged = {name for name, members in task.scene.bodies.items() if point in members} - {group.body, group.carrier}
+    sought = any(q.target == point and q.kind == book.letter for q in task.sought) or hinged & task.needed.bodies
     known = {group.own_pole} if sought else {point, group.own_pole}
     own = sides.own if sides.own and is_rate_wanted(task, book.order, group.body, known) else None
     return [sides.carrier_path, sides.path, turn, own, relative]

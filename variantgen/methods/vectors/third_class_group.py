@@ -65,6 +65,7 @@ def solve_third_class_group(book: Book, group: ThirdClassGroup) -> None:
         book.say("coupled.system", True)
         matrix, right = tuple((r.path, r.arm) for r in rows), tuple(r.right for r in rows)
         book.items.append(LinearSystem((size, rate), matrix, right))
+        book.say("coupled.solved", True)
         book.items.extend(Derived(value, symbolic=False, numeric=False) for value in (size, rate))
         book.items.extend(Derived(turn, detail=True) for turn in turns)
         book.vectors[pole] = (*known, *directed(path, size))

@@ -31,7 +31,7 @@ def _block(item: Block, writing: Writing) -> dict[str, Any]:
         case Paragraph(text):
             return {"kind": "text", "text": writing.text(text)}
         case FormulaLines(lines):
-            found = [[[writing.piece(*piece) for piece in pieces] for pieces in row] for row in rows(lines)]
+            found = [[[p for piece in pieces for p in writing.pieces(*piece)] for pieces in row] for row in rows(lines)]
             return {"kind": "formulas", "rows": found}
         case VectorTable(heads, unknown, lines):
             cells = [

@@ -24,8 +24,11 @@ class Writing(Protocol):
     def heading(self, symbol: Formula, unit: UnitText) -> Any:
         """The head of a column of answers: ``v_B, cm/s``."""
 
-    def piece(self, sign: str, formula: Formula) -> Any:
-        """A piece of a formula on a line of its own, after a sign like ``=``; there is none before the first piece."""
+    def pieces(self, sign: str, formula: Formula) -> list[Any]:
+        """A piece of a formula on a line of its own, after a sign like ``=``; there is none before the first piece.
+
+        It is one piece, or several where it is too long for the line.
+        """
 
     def figure(self, drawing: Drawing, caption: Text = ()) -> Any:
         """A figure of no size yet; the caption is for those who do not see it, where nothing else tells it."""

@@ -106,8 +106,11 @@ def finish(whole: WholeExam) -> None:
         if target != "key":
             if chosen.joined:
                 language = exam.solutions.language if target == "solutions" else exam.language
-                join_pdfs(paths, whole.folder / f"{target}.pdf", exam.title, language, exam.duplex, names)
-            whole.pages[target] = _on_paper(page_counts(paths), exam.duplex)
+                joined = whole.folder / f"{target}.pdf"
+                lengths = join_pdfs(paths, joined, exam.title, language, exam.duplex, names)
+            else:
+                lengths = page_counts(paths)
+            whole.pages[target] = _on_paper(lengths, exam.duplex)
             whole.notes.append(f"{target}.pdf: {_said(whole.pages[target])}")
     if chosen.for_groups:
         _join_groups(whole, [target for target in whole.pieces if target != "key"], names)

@@ -59,13 +59,14 @@ class HtmlWriting:
         """Symbol and unit."""
         return self.formula(symbol) + (markup(", ") + self.formula(unit) if unit.parts else "")
 
-    def piece(self, sign: str, formula: Formula) -> dict[str, Any]:
+    def pieces(self, sign: str, formula: Formula) -> list[dict[str, Any]]:
         """The sign with the space after it, the markup, and the class that sets long formulas smaller."""
-        return {
+        own = {
             "sign": f"{sign}\N{NO-BREAK SPACE}" if sign else "",
             "formula": markup(self.math(formula, True)),
             "class": next(name for letters, name in _LONG if breadth(formula) >= letters),
         }
+        return [own]
 
     def figure(self, drawing: Drawing, caption: Text = ()) -> Callable[..., Markup]:
         """A function of the millimetres of a figure unit and of the largest width in millimetres."""

@@ -43,9 +43,9 @@ class LatexWriting:
         """Symbol and unit, between which a line may end."""
         return Tex(f"${to_latex(symbol)}$, ${to_latex(unit)}$" if unit.parts else f"${to_latex(symbol)}$")
 
-    def piece(self, sign: str, formula: Formula) -> tuple[Tex, Tex]:
+    def pieces(self, sign: str, formula: Formula) -> list[tuple[Tex, Tex]]:
         """The command for the sign and the markup."""
-        return Tex(sign_to_latex(sign) if sign else ""), self.formula(formula)
+        return [(Tex(sign_to_latex(sign) if sign else ""), self.formula(formula))]
 
     def figure(self, drawing: Drawing, caption: Text = ()) -> Drawing:
         """The drawing itself: the template says the size."""

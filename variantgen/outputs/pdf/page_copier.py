@@ -45,13 +45,14 @@ class PageCopier:
                 self._writer.put(number, _TOKEN.sub(self._token, found.unparse(resolved=True)))
 
     def _token(self, match: re.Match[bytes]) -> bytes:
-        old, key, place = match.groups()
+        old = match[1]
         if old:
             return b"%d 0 R" % self._number(int(old))
-        return key + b"%d" % (int(place) + self._first_key) if key else match[0]
+        return match[2] + b"%d" % (int(match[3]) + self._first_key) if match[2] else match[0]
 
     def _number(self, old: int) -> int:
-        if old not in self.new:
-            self.new[old] = self._writer.reserve()
+        number = self.new.get(old)
+        if number is None:
+            number = self.new[old] = self._writer.reserve()
             self._waiting.append(old)
-        return self.new[old]
+        return number

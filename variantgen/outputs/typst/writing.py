@@ -11,6 +11,7 @@ import numpy as np
 from variantgen.figure.curves import DASHES, Curve, curves
 from variantgen.figure.drawing import LETTER, Drawing
 from variantgen.outputs.qr import qr_rows, qr_svg
+from variantgen.outputs.typst.broken_fraction import COLUMN, in_the_line
 from variantgen.outputs.typst.markup import heading, markup
 from variantgen.outputs.typst.widths import formula_width
 from variantgen.wording.formula import Equation, Formula, Measured, Surd, UnitText
@@ -47,9 +48,10 @@ class TypstWriting:
         """The markup, which templates evaluate."""
         return heading(symbol, unit)
 
-    def piece(self, sign: str, formula: Formula) -> list[Any]:
-        """The sign as text, the markup and the width, nearly (em)."""
-        return [sign, markup(formula), round(formula_width(formula), 1)]
+    def pieces(self, sign: str, formula: Formula) -> list[list[Any]]:
+        """The sign as text, the markup and the width, nearly (em); of a fraction too wide for a column, parts of it."""
+        parts = in_the_line(sign, formula) if formula_width(formula) > COLUMN else [(sign, markup(formula), formula)]
+        return [[own, found, round(formula_width(part), 1)] for own, found, part in parts]
 
     def figure(self, drawing: Drawing, caption: Text = ()) -> dict[str, Any]:
         """Data for ``figure.typ``."""

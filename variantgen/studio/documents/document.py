@@ -13,12 +13,13 @@ from variantgen.limits import TOML_BYTES
 from variantgen.studio.documents.edits import Operation, apply, value_at
 from variantgen.studio.documents.identity import same_place, through_list
 from variantgen.studio.documents.journal import Journal, version_of
-from variantgen.studio.documents.toml_lines import parse_path, places, written_path
+from variantgen.studio.documents.mistakes import Mistake, is_empty, located
+from variantgen.studio.documents.toml_lines import written_path
 from variantgen.studio.workspace import is_own, write_whole
 from variantgen.tables import parse_toml, read_text
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from variantgen.exam.exam_file import Exam
 
@@ -50,16 +51,6 @@ class _OvertakenError(Exception):
 
 
 @dataclass(frozen=True)
-class Mistake:
-    """A mistake in the text of a file, with its line."""
-
-    line: int
-    key: str
-    message: str
-    remedy: str
-
-
-@dataclass(frozen=True)
 class State:
     """The text of a file at a version, what it says, and what is wrong with it."""
 
@@ -67,6 +58,11 @@ class State:
     version: str
     data: dict[str, Any]
     broken: str = ""
+
+
+def _never(deed: dict[str, str], by: int) -> dict[str, str]:
+    """For files of which nothing is done elsewhere."""
+    raise InputError(Problem("is no longer there", value=str(deed), key=str(by)))
 
 
 class Document:
@@ -180,7 +176,7 @@ class Document:
             message = f"would be larger than {TOML_BYTES // 1000} kB"
             raise InputError(Problem(message, file=self.path.name, remedy="shorten its texts"))
         known = {(m.key, m.message) for m in self.mistakes()}
-        new = [m for m in self.check(text) if (m.key, m.message) not in known and not _is_empty(m)]
+        new = [m for m in self.check(text) if (m.key, m.message) not in known and not is_empty(m)]
         if new:
             raise RefusedError(new)
         before = self._state.text
@@ -220,10 +216,20 @@ class Document:
                     written_path(operation.path), operation.value, now, then is None and through_list(path)
                 )
 
-    def undo(self, by: int = -1, version: str | None = None) -> dict[str, Any] | None:
+    def note(self, words: str, about: dict[str, str], deed: dict[str, str]) -> None:
+        """Note what was done elsewhere, so that it can be taken back in its turn."""
+        with self._lock:
+            self.refresh()
+            self.journal.add(self._state.text, self._state.text, words, about, "", deed)
+
+    def undo(
+        self, by: int = -1, version: str | None = None, change: Callable[[dict[str, str], int], dict[str, str]] = _never
+    ) -> dict[str, Any] | None:
         """Take the last step back (or do it again, +1); what it was, or None if there is none.
 
-        Raises ConflictError where the file has another version than the one that was seen.
+        What was done elsewhere is ``changed`` by who knows how, and may be another deed after that. Raises
+        ConflictError where the file has another version than the one that was seen, InputError where others have
+        changed since what was done elsewhere: that is no longer taken back.
         """
         with self._lock:
             self._seen = (0, 0)  # what was saved within the same tick of the clock counts, too
@@ -233,6 +239,14 @@ class Document:
             step = self.journal.undoable if by < 0 else self.journal.redoable
             if step is None:
                 return None
+            if step.deed:
+                try:
+                    deed = change(step.deed, by)
+                except InputError:
+                    self.journal.forget(by)
+                    raise
+                self.journal.move(by, deed)
+                return {"words": step.words, "about": step.about}
             text = self.journal.text(step.before if by < 0 else step.after)
             if text is None:
                 return None
@@ -244,37 +258,11 @@ class Document:
             return {"words": step.words, "about": step.about}
 
 
-def located(problems: Sequence[Problem], text: str, path: Path) -> list[Mistake]:
-    """Problems of a TOML text at its lines; ``path`` is that of its file."""
-    try:
-        found = places(text) if not _state(text, path).broken else None
-    except (ValueError, IndexError):
-        found = None
-    mistakes = []
-    for problem in problems:
-        line = found.line(parse_path(problem.key)) if found else line_of(problem.message)
-        value = f" ({problem.value})" if problem.value else ""
-        mistakes.append(Mistake(line, problem.key, problem.message + value, problem.remedy))
-    return mistakes
-
-
 def _state(text: str, path: Path) -> State:
     try:
         return State(text, version_of(text), parse_toml(text, path))
     except InputError as error:
         return State(text, version_of(text), {}, error.problems[0].message)
-
-
-def line_of(message: str) -> int:
-    """The line that a reader names in its message; 1 where it names none."""
-    _, _, rest = message.partition("line ")
-    digits = rest[: len(rest) - len(rest.lstrip("0123456789"))]
-    return int(digits) if digits else 1
-
-
-def _is_empty(mistake: Mistake) -> bool:
-    """Whether a mistake is only that the exam has no problems yet: so every new one begins."""
-    return mistake.key == "problem" and "at least one" in mistake.message
 
 
 def _described(operations: Sequence[Operation], about: str) -> tuple[str, dict[str, str]]:

@@ -1,11 +1,15 @@
-"""All states of a file that were left behind, on disk: undo and redo through restarts, and what another has changed."""
+"""What was done to an exam, on disk: undo and redo through restarts, and what another has changed.
+
+Most steps lead from one text of its file to another, and all texts are kept. What was done elsewhere, to the class list
+or to marks, is a step with a ``deed``: how it is taken back is the business of who has done it.
+"""
 
 from __future__ import annotations
 
 import hashlib
 import json
 import time
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +22,10 @@ _PAUSE = 1.5  # seconds between changes that are one step
 
 @dataclass(frozen=True)
 class FileChange:
-    """A change: the versions before and after it, the key of the words for it with what they name, whose it was."""
+    """A change: the versions before and after it, the key of the words for it with what they name, whose it was.
+
+    ``deed`` is what was done to another file than that of the exam.
+    """
 
     before: str
     after: str
@@ -26,6 +33,7 @@ class FileChange:
     about: dict[str, str]
     window: str
     time: float = 0.0
+    deed: dict[str, str] = field(default_factory=dict)
 
     def continues(self, other: FileChange) -> bool:
         """Whether it goes on with another one."""
@@ -48,8 +56,17 @@ class Journal:
             steps = [FileChange(**step) for step in data["steps"]]
             done = int(data["done"])
             texts = [
-                text for s in steps for text in (s.before, s.after, s.words, s.window, *s.about, *s.about.values())
+                text
+                for s in steps
+                for text in (
+                    s.before,
+                    s.after,
+                    s.words,
+                    s.window,
+                    *[t for own in (s.about, s.deed) for t in own.items()],
+                )
             ]
+            texts = [part for text in texts for part in (text if isinstance(text, tuple) else (text,))]
             if not all(isinstance(text, str) for text in texts) or not all(isinstance(s.time, float) for s in steps):
                 raise ValueError(self._file)
         except (OSError, ValueError, KeyError, TypeError, AttributeError, OverflowError, RecursionError):
@@ -80,12 +97,20 @@ class Journal:
             return None
         return text if version_of(text) == version else None
 
-    def add(self, before: str, after: str, words: str, about: dict[str, str], window: str) -> None:
+    def add(
+        self,
+        before: str,
+        after: str,
+        words: str,
+        about: dict[str, str],
+        window: str,
+        deed: dict[str, str] | None = None,
+    ) -> None:
         """A new step; those that could be done again are forgotten.
 
         What a window goes on doing to the same key, as steps of a slider, is one step.
         """
-        new = FileChange(self.keep(before), self.keep(after), words, about, window, time.time())
+        new = FileChange(self.keep(before), self.keep(after), words, about, window, time.time(), deed or {})
         steps, last = self.steps[: self.done], self.undoable
         if last is not None and new.continues(last):
             new, steps = replace(new, before=last.before), steps[:-1]
@@ -123,8 +148,17 @@ class Journal:
         """The step that is done again."""
         return self.steps[self.done] if self.done < len(self.steps) else None
 
-    def move(self, by: int) -> None:
-        """So many steps more or less are done."""
+    def forget(self, by: int) -> None:
+        """Strike out the step that undo takes back (or that is done again, +1): that cannot be done any more."""
+        place = self.done - 1 if by < 0 else self.done
+        self.steps = self.steps[:place] + self.steps[place + 1 :]
+        self.move(by if by < 0 else 0)
+
+    def move(self, by: int, deed: dict[str, str] | None = None) -> None:
+        """So many steps more or less are done; ``deed`` is what the step between them is from now on."""
+        if deed is not None:
+            place = self.done - 1 if by < 0 else self.done
+            self.steps[place] = replace(self.steps[place], deed=deed)
         self.done = min(len(self.steps), max(0, self.done + by))
         self._write()
 

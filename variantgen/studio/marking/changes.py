@@ -42,8 +42,8 @@ def command_of(studio: Studio, folder: MarkingFolder) -> str:
     return command("variantgen", *words)
 
 
-def take(folder: MarkingFolder, marked: MarkedBuild, incoming: Path, name: str) -> None:
-    """Keep a file with answers, if it has some. Raises InputError."""
+def take(folder: MarkingFolder, marked: MarkedBuild, incoming: Path, name: str) -> str:
+    """Keep a file with answers, if it has some; its name in the folder. Raises InputError."""
     try:
         with incoming.open("rb") as file:
             beginning = file.read(8)
@@ -65,15 +65,18 @@ def take(folder: MarkingFolder, marked: MarkedBuild, incoming: Path, name: str) 
             path = folder.next_path(beginning)
             shutil.move(incoming, path)
             folder.name(path, name)
+        return path.name
     finally:
         incoming.unlink(missing_ok=True)
 
 
-def said(folder: MarkingFolder, marked: MarkedBuild, data: dict[str, Any]) -> dict[str, Any]:
+def said(
+    folder: MarkingFolder, marked: MarkedBuild, data: dict[str, Any], expected: str | None = None
+) -> dict[str, Any]:
     """Write an answer; returns what stands then, whether that is of a file, and what was typed before.
 
     Where nothing or only a dash is typed the answer of a file stands. Raises InputError and UnknownKeyError for one
-    that the exam does not ask.
+    that the exam does not ask, and InputError where something else than what is ``expected`` is typed by now.
     """
     found = marked.current()
     code, name = text_of(data, "code", 40), text_of(data, "quantity", 80)
@@ -93,6 +96,8 @@ def said(folder: MarkingFolder, marked: MarkedBuild, data: dict[str, Any]) -> di
     with folder.lock:
         entries = folder.written(file, _questions(found))
         before = entries.pop(asked, "")
+        if expected is not None and before != expected:
+            raise InputError(Problem("was changed since", key=f"{code} {number}.{name}", value=before))
         if text:
             entries[asked] = text
         else:
@@ -100,12 +105,13 @@ def said(folder: MarkingFolder, marked: MarkedBuild, data: dict[str, Any]) -> di
         folder.write(file, entries)
     verdict = verdict_of(answer, text)[2]
     if verdict is not Verdict.BLANK:
-        return {"verdict": verdict.value, "text": text, "before": before, "of_file": False}
+        return {"verdict": verdict.value, "text": text, "before": before, "typed": text, "of_file": False}
     now, question = marked.current(), (place, number, name)
     of_all = {(one.place, one.problem, one.answer.quantity.name): one for one in now.marked.marks}
     stands = "" if of_all[question].waiting else of_all[question].text
     shown = "doubtful" if question in now.doubtful else of_all[question].verdict.value
-    return {"verdict": shown, "text": stands, "before": before, "of_file": stands not in ("", text)}
+    of_file = stands not in ("", text)
+    return {"verdict": shown, "text": stands, "before": before, "typed": text, "of_file": of_file}
 
 
 def _questions(found: MarkedClass) -> set[Asked]:

@@ -52,6 +52,10 @@ class MarkingFolder:
         self._workspace, self.build = workspace, build
         self.lock = threading.RLock()  # of whoever changes a file by what it says
         self.path = workspace.folder / "marks" / build.folder.name
+        self._refuse_links()
+
+    def _refuse_links(self) -> None:
+        """Raise InputError where a folder of the marking has become a link."""
         for place in (self.path.parent, self.path, self.path / RESULT, self.path / BIN):
             if place.is_symlink():
                 raise InputError(Problem("is a link", file=str(place), remedy="remove it"))
@@ -62,6 +66,7 @@ class MarkingFolder:
 
     def every(self) -> list[Path]:
         """All files with answers in the order in which they count: of two answers to one question the first stands."""
+        self._refuse_links()
         own = [path for name in (REVIEW, TYPED) for path in (*self._own(name), *self._aside(name))]
         return [*own, *self._numbered("answers"), *self._own(f"{RESULT}/{REVIEW}")]
 
@@ -80,6 +85,7 @@ class MarkingFolder:
 
     def next_path(self, beginning: bytes) -> Path:
         """Where a file that begins so is to be put. Raises InputError where there are too many."""
+        self._refuse_links()
         if len(self.brought()) >= FILES:
             raise InputError(Problem("there are too many files", remedy="remove some, or join them"))
         kind = next((kind for start, kind in _BEGINNINGS if beginning.startswith(start)), "csv")
@@ -100,6 +106,7 @@ class MarkingFolder:
 
     def remove(self, name: str) -> str:
         """Put a file into the bin, and return its name there. Raises InputError for what is no file of a marking."""
+        self._refuse_links()
         with self.lock:
             own = [path for known in (TYPED, REVIEW, POLICY) for path in self._own(known)]
             path = next((path for path in (*self.brought(), *own) if path.name == name), None)
@@ -111,15 +118,26 @@ class MarkingFolder:
             path.rename(home / f"{number}-{name}")
             return f"{number}-{name}"
 
-    def restore(self, kept: str) -> None:
-        """Take a file out of the bin; what has its place goes there. Raises InputError for another name."""
+    def binned(self) -> list[tuple[str, str]]:
+        """The files in the bin, the newest first: their names there and those that they had before."""
+        names = self.names()
+        found = [match for path in self._own(f"{BIN}/*") if (match := _KEPT.fullmatch(path.name))]
+        found.sort(key=lambda match: -int(match[1]))
+        return [(match[0], names.get(match[2], match[2])) for match in found]
+
+    def restore(self, kept: str) -> str:
+        """Take a file out of the bin; what has its place goes there: its name there, or ''.
+
+        Raises InputError for another name.
+        """
         found, path = _KEPT.fullmatch(kept), self.path / BIN / kept
+        self._refuse_links()
         with self.lock:
             if found is None or not path.is_file() or path.is_symlink():
                 raise InputError(Problem("there is no such file", value=kept[:40]))
-            if self._own(found[2]):
-                self.remove(found[2])
+            other = self.remove(found[2]) if self._own(found[2]) else ""
             path.rename(self.path / found[2])
+            return other
 
     def written(self, name: str, asked: Collection[Asked]) -> dict[Asked, str]:
         """What the studio has written into ``typed.csv`` or ``review.csv``, by question; ``asked`` are all of them.
@@ -139,6 +157,7 @@ class MarkingFolder:
 
     def write(self, name: str, entries: Mapping[Asked, str]) -> None:
         """Write ``typed.csv`` or ``review.csv``."""
+        self._refuse_links()
         self.path.mkdir(parents=True, exist_ok=True)
         write_whole(self.path / name, _table(name, entries))
 
@@ -168,6 +187,7 @@ class MarkingFolder:
 
     def write_policy(self, policy: MarkingPolicy) -> str:
         """Write the rules; returns the name in the bin of those that they replace, '' where there were none."""
+        self._refuse_links()
         self.path.mkdir(parents=True, exist_ok=True)
         kept = self.remove(POLICY) if self._own(POLICY) else ""
         write_whole(self.path / POLICY, policy_text(policy))

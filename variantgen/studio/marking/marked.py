@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TypeAlias
 
 from variantgen.errors import InputError, VariantgenError
 from variantgen.exam.manifest import read_manifest
@@ -16,20 +18,23 @@ from variantgen.marking.drawn import as_drawn
 from variantgen.marking.form_words import FormWords
 from variantgen.marking.key import Key
 from variantgen.marking.marks import Marked, mark
-from variantgen.marking.scan.collecting import Question, Scans, collect
+from variantgen.marking.scan.collecting import LostPage, Question, Scans, collect
 from variantgen.marking.scan.copies import ScannedAnswer
 from variantgen.marking.scan.joining import join
-from variantgen.marking.scan.pictures import is_picture
+from variantgen.marking.scan.pictures import is_picture, page_count
 from variantgen.marking.worth import worth_of
 from variantgen.studio.marking.folder import MarkingFolder
 from variantgen.studio.workspace import Workspace
+
+Tell: TypeAlias = Callable[[str, int, int], None]
 
 
 @dataclass(frozen=True)
 class MarkedClass:
     """The marks of a class, with what they were made from; ``doubtful`` are readings that nobody has decided.
 
-    ``faults`` are the reasons why files could not be read, by their names in the folder of the marking.
+    ``lost`` are pages of scans that could not be read, ``faults`` the reasons why files could not, by their names in
+    the folder of the marking.
     """
 
     finished: Finished
@@ -38,6 +43,7 @@ class MarkedClass:
     marked: Marked
     scanned: dict[Question, ScannedAnswer]
     doubtful: dict[Question, ScannedAnswer]
+    lost: list[LostPage]
     faults: dict[str, VariantgenError]
 
     @property
@@ -55,10 +61,13 @@ class MarkedClass:
 
 
 class MarkedBuild:
-    """The marks of one build; the last ones are kept, scans are read once."""
+    """The marks of one build; the last ones are kept, scans are read once.
 
-    def __init__(self, workspace: Workspace, folder: MarkingFolder) -> None:
-        self._workspace, self._folder = workspace, folder
+    While they are, ``tell`` gets the name of each file, how many of its pages have been read, how many it has.
+    """
+
+    def __init__(self, workspace: Workspace, folder: MarkingFolder, tell: Tell) -> None:
+        self._workspace, self._folder, self._tell = workspace, folder, tell
         self._lock = threading.Lock()
         self._known: tuple[tuple[object, ...], MarkedClass] | None = None
         self._restored: tuple[int, Finished] | None = None
@@ -102,15 +111,16 @@ class MarkedBuild:
         finished, read = as_drawn(finished, read)
         scanned: dict[Question, ScannedAnswer] = {}
         doubtful: dict[Question, ScannedAnswer] = {}
+        lost: list[LostPage] = []
         if scans:
             try:
                 joined = join(finished, read, scans, policy, collected=self._collected(scans, finished, policy))
             except VariantgenError as error:
                 faults[scans[0].name] = error
             else:
-                read, scanned = joined.answers, dict(joined.scans.answers)
+                read, scanned, lost = joined.answers, dict(joined.scans.answers), joined.scans.lost
                 doubtful = {asked: one for asked, one in joined.scans.doubtful.items() if asked not in joined.typed}
-        return MarkedClass(finished, read, policy, mark(finished, read, policy), scanned, doubtful, faults)
+        return MarkedClass(finished, read, policy, mark(finished, read, policy), scanned, doubtful, lost, faults)
 
     def _finished(self) -> Finished:
         """The build; it is restored once."""
@@ -124,5 +134,11 @@ class MarkedBuild:
         """What the scans say; they are read once, whatever is typed."""
         version = (policy.tolerance, *((path.name, path.stat().st_mtime_ns) for path in scans))
         if self._scans is None or self._scans[0] != version:
-            self._scans = version, collect(scans, Key(finished.record, policy.tolerance))
+            pages = {path: page_count(path) for path in scans}
+            names = self._folder.names()
+
+            def tell(path: Path, done: int) -> None:
+                self._tell(names.get(path.name, path.name), done, pages[path])
+
+            self._scans = version, collect(scans, Key(finished.record, policy.tolerance), tell=tell)
         return replace(self._scans[1], answers=dict(self._scans[1].answers))

@@ -19,6 +19,7 @@ from variantgen.marking.class_statistics import class_facts
 from variantgen.marking.diagnosis.causes import OTHER, Cause
 from variantgen.marking.marks import Marked, MarkedAnswer, StudentTotal, Verdict
 from variantgen.marking.words import cause_in_words
+from variantgen.studio.marking.doubts import bubbles, points_between, readings
 from variantgen.studio.marking.marked import MarkedClass
 from variantgen.studio.messages import in_language
 from variantgen.wording.language import Language, load_language
@@ -28,7 +29,7 @@ VERDICTS = ("right", "follow_through", "wrong", "blank", "unreadable")
 RULES = ("sign", "power_of_ten", "unit", "rounding", "component", "mistake", "other_answer")  # shares that are shown
 _LISTED = 300
 _BANDS = 10
-_PLACE = re.compile(r", (?:worksheet .{1,31}, )?row \d+")
+_PLACE = re.compile(r", (?:worksheet .{1,31}, )?(?:row|page) \d+")
 _FILE = re.compile(r"\b(?:answers|typed|review)-\d+\.\w+")
 
 
@@ -87,7 +88,7 @@ def queue(found: MarkedClass, words: MarkWords) -> list[dict[str, Any]]:
             "code": found.marked.totals[places[student.id]].code,
             "name": student.name or student.id,
             "group": student.group,
-            "points": words.points(found.marked.totals[places[student.id]].points),
+            "points": points_between(found, places[student.id], words.points),
             "doubts": waiting[places[student.id]],
             "handed_in": found.marked.totals[places[student.id]].handed_in,
         }
@@ -117,7 +118,7 @@ def student(found: MarkedClass, code: str, words: MarkWords) -> dict[str, Any]:
         "code": code,
         "name": total.student.name or total.student.id,
         "group": total.student.group,
-        "points": words.points(total.points),
+        "points": points_between(found, place, words.points),
         "of": words.points(total.of),
         "grade": total.grade,
         "open": total.open,
@@ -164,8 +165,8 @@ def answer(found: MarkedClass, item: MarkedAnswer, words: MarkWords) -> dict[str
         "points": words.points(item.points),
         "of": words.points(item.of),
         "doubtful": doubt is not None,
-        "read": doubt.read.text if doubt else "",
-        "others": [text for text in doubt.others if text][:3] if doubt else [],
+        "readings": readings(doubt, item) if doubt else [],
+        "bubbles": bubbles(doubt, words.language.decimal_mark) if doubt else [],
         "why": [why.replace(" ", "_") for why in doubt.read.why] if doubt else [],
         "picture": bool(scan and scan.picture),
     }

@@ -11,6 +11,30 @@ from __future__ import annotations
 
 from types import ModuleType
 
-from variantgen.studio.pages import archive, author, build, choose, compose, exams, mark, play, previews, roster
+from variantgen.studio.pages import (
+    archive,
+    author,
+    build,
+    choose,
+    compose,
+    exams,
+    mark,
+    mark_changes,
+    play,
+    previews,
+    roster,
+)
 
-PAGES: tuple[ModuleType, ...] = (exams, choose, compose, previews, roster, build, archive, mark, play, author)
+PAGES: tuple[ModuleType, ...] = (
+    exams,
+    choose,
+    compose,
+    previews,
+    roster,
+    build,
+    archive,
+    mark,
+    mark_changes,
+    play,
+    author,
+)

@@ -21,6 +21,7 @@ from starlette.routing import Route
 from variantgen.errors import InputError, Problem
 from variantgen.studio.builds import FinishedBuild
 from variantgen.studio.frame import command, language_of, part
+from variantgen.studio.messages import command_text
 from variantgen.studio.requests import document_of, number_of, read_json, studio_of, text_of
 from variantgen.studio.studio import UnknownKeyError
 from variantgen.studio.summary import built_words
@@ -98,7 +99,7 @@ async def lost(request: Request) -> Response:
     code, _, said = await run_command("remake", str(finished(request).folder), "--student", who, "--out", name, *own)
     if code:
         path.unlink(missing_ok=True)
-        raise InputError(Problem(_text(said)[-400:]))
+        raise InputError(Problem(command_text(_text(said), language_of(request))[-600:]))
     return FileResponse(path, filename="sheet.pdf", background=BackgroundTask(path.unlink))
 
 
@@ -167,7 +168,7 @@ async def rekey(request: Request) -> Response:
     words = ("rekey", str(build.folder), "--tolerance", given, *studio_of(request).workspace.families_option())
     code, _, said = await run_command(*words)
     if code:
-        raise InputError(Problem(_text(said)[-400:]))
+        raise InputError(Problem(command_text(_text(said), language_of(request))[-600:]))
     return JSONResponse({"command": command("variantgen", *words), "said": _text(said)[-400:]})
 
 

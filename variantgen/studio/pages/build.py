@@ -57,6 +57,7 @@ async def start(request: Request) -> Response:
 
 async def stop(request: Request) -> Response:
     """Stop a build; what is finished of it is kept."""
+    await read_json(request)
     studio_of(request).builds.stop(document_of(request).key)
     return JSONResponse({})
 

@@ -31,7 +31,8 @@ async def compose(request: Request) -> Response:
     """The page."""
     studio, document = studio_of(request), document_of(request)
     line = build_command(studio, document)
-    return render(request, "compose", studio, document, line, settings=_settings(document), depths=DEPTHS)
+    whom = summary(page_words(language_of(request)), studio, document)["roster"] if studio.workspace.roster() else ""
+    return render(request, "compose", studio, document, line, settings=_settings(document), depths=DEPTHS, whom=whom)
 
 
 async def outline(request: Request) -> Response:

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
+from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request
 from starlette.responses import JSONResponse, RedirectResponse, Response
 from starlette.routing import Route
 
 from variantgen.errors import InputError, Problem
 from variantgen.limits import TOML_BYTES
+from variantgen.studio.deeds import change
 from variantgen.studio.documents.document import Document
 from variantgen.studio.documents.edits import read_operations, written
 from variantgen.studio.frame import command, language_of, render, step_words
@@ -87,7 +90,7 @@ async def redo(request: Request) -> Response:
 
 async def _moved(request: Request, by: int) -> Response:
     studio, document, data = studio_of(request), document_of(request), await read_json(request)
-    step = document.undo(by, text_of(data, "version"))
+    step = await run_in_threadpool(document.undo, by, text_of(data, "version"), partial(change, studio, document))
     studio.tell_changed(document, text_of(data, "window", WINDOW))
     return JSONResponse({**answer(request, studio, document), "done": step is not None})
 

@@ -14,20 +14,19 @@ from starlette.responses import FileResponse, HTMLResponse, JSONResponse, Respon
 from starlette.routing import Route
 
 from variantgen.errors import InputError, Problem
-from variantgen.studio.builds import FinishedBuild
 from variantgen.studio.frame import command, language_of, part, render
-from variantgen.studio.messages import error_text
+from variantgen.studio.messages import command_text, error_text
 from variantgen.studio.pages.archive import run_command
+from variantgen.studio.pages.mark_changes import marking_of
 from variantgen.studio.preview import KINDS
-from variantgen.studio.requests import document_of, number_of, read_json, save_upload, studio_of, text_of
-from variantgen.studio.security import SCANS_BYTES
+from variantgen.studio.requests import document_of, number_of, read_json, studio_of
 from variantgen.studio.studio import UnknownKeyError
 from variantgen.studio.summary import built_words
 from variantgen.studio.words import page_words
 
 if TYPE_CHECKING:
     from variantgen.studio.marking.folder import MarkingFolder
-    from variantgen.studio.marking.marked import MarkedBuild, MarkedClass
+    from variantgen.studio.marking.marked import MarkedClass
 
 _VIEWS = ("students", "questions", "class")
 
@@ -51,14 +50,14 @@ async def mark(request: Request) -> Response:
 
 async def listing(request: Request) -> Response:
     """The class or the questions in a list, the files, what is wrong with them."""
-    folder, marked = _marking(request)
+    folder, marked = marking_of(request)
     found, language = await run_in_threadpool(marked.current), language_of(request)
     return HTMLResponse(await run_in_threadpool(_listing, request, folder, found, language))
 
 
 async def shown(request: Request) -> Response:
     """One student, one question or the class."""
-    folder, marked = _marking(request)
+    folder, marked = marking_of(request)
     found, language = await run_in_threadpool(marked.current), language_of(request)
     return HTMLResponse(await run_in_threadpool(_shown, request, folder, found, language))
 
@@ -67,60 +66,11 @@ async def find(request: Request) -> Response:
     """The sheet that is meant by a code that was scanned or typed, a name or an id."""
     from variantgen.finished.find import find_among
 
-    _, marked = _marking(request)
+    _, marked = marking_of(request)
     found = await run_in_threadpool(marked.current)
     record = found.finished.record
     place = find_among(record.sheets, record.exam_id, request.query_params.get("who", "")[:200])
     return JSONResponse({"code": record.sheets[place].code})
-
-
-async def bring(request: Request) -> Response:
-    """A table or a scan; its name is shown and names nothing on disk."""
-    from variantgen.studio.marking.changes import command_of, take
-
-    folder, marked = _marking(request)
-    name = request.query_params.get("name", "")[:200]
-    incoming = studio_of(request).workspace.state("marks", f"incoming-{secrets.token_hex(8)}")
-    await save_upload(request, incoming, SCANS_BYTES)
-    await run_in_threadpool(take, folder, marked, incoming, name)
-    return JSONResponse({"command": command_of(studio_of(request), folder)})
-
-
-async def drop(request: Request) -> Response:
-    """Put a file into the bin."""
-    from variantgen.studio.marking.changes import command_of
-
-    data, (folder, _) = await read_json(request), _marking(request)
-    kept = await run_in_threadpool(folder.remove, text_of(data, "file"))
-    return JSONResponse({"kept": kept, "command": command_of(studio_of(request), folder)})
-
-
-async def restore(request: Request) -> Response:
-    """Take a file out of the bin."""
-    from variantgen.studio.marking.changes import command_of
-
-    data, (folder, _) = await read_json(request), _marking(request)
-    await run_in_threadpool(folder.restore, text_of(data, "kept"))
-    return JSONResponse({"command": command_of(studio_of(request), folder)})
-
-
-async def say(request: Request) -> Response:
-    """An answer that was typed, or the decision on a doubtful reading; its verdict comes back at once."""
-    from variantgen.studio.marking.changes import command_of, said
-
-    data, (folder, marked) = await read_json(request), _marking(request)
-    found = await run_in_threadpool(said, folder, marked, data)
-    return JSONResponse({**found, "command": command_of(studio_of(request), folder)})
-
-
-async def policy(request: Request) -> Response:
-    """What other rules would change; they are written if it is wished."""
-    from variantgen.studio.marking.changes import command_of, with_policy
-
-    data, (folder, marked) = await read_json(request), _marking(request)
-    language = language_of(request)
-    found = await run_in_threadpool(with_policy, folder, marked, data, language)
-    return JSONResponse({**found, "command": command_of(studio_of(request), folder)})
 
 
 async def write(request: Request) -> Response:
@@ -128,7 +78,7 @@ async def write(request: Request) -> Response:
     from variantgen.studio.marking.changes import command_of, words_of_command
 
     await read_json(request)
-    folder, marked = _marking(request)
+    folder, marked = marking_of(request)
     if not folder.every():
         raise InputError(Problem("there are no answers yet", remedy="type some, or bring a table or scans"))
     found = await run_in_threadpool(marked.current)
@@ -137,7 +87,7 @@ async def write(request: Request) -> Response:
     words = words_of_command(studio_of(request), folder)
     code, _, said = await run_command(*words)
     if code:
-        raise InputError(Problem(said.decode("utf-8", "replace").strip()[-600:]))
+        raise InputError(Problem(command_text(said.decode("utf-8", "replace"), language_of(request))[-600:]))
     files = [path.name for path in folder.result()]
     return JSONResponse({"files": files, "command": command_of(studio_of(request), folder)})
 
@@ -146,7 +96,7 @@ async def result(request: Request) -> Response:
     """One of the files that the command has written, or all of them."""
     from variantgen.studio.marking.changes import pack
 
-    folder, _ = _marking(request)
+    folder, _ = marking_of(request)
     files = folder.result()
     if request.path_params["number"] == "all":
         packed = studio_of(request).workspace.state("marks", f"all-{secrets.token_hex(8)}.zip")
@@ -160,7 +110,7 @@ async def result(request: Request) -> Response:
 
 async def sheet(request: Request) -> Response:
     """The pages of the sheet of a student, or of its solution."""
-    _, marked = _marking(request)
+    _, marked = marking_of(request)
     studio, kind = studio_of(request), request.query_params.get("kind", "sheet")
     if kind not in KINDS:
         raise InputError(Problem("unknown kind", key="kind", value=kind[:20]))
@@ -170,29 +120,25 @@ async def sheet(request: Request) -> Response:
     return JSONResponse({"name": name, "pages": pages})
 
 
+async def lost(request: Request) -> Response:
+    """The picture of a page that could not be read."""
+    _, marked = marking_of(request)
+    found = await run_in_threadpool(marked.current)
+    number = number_of(request.path_params["number"], "page", 0, 100_000)
+    if number >= len(found.lost) or not found.lost[number].picture:
+        raise UnknownKeyError("page")
+    return Response(found.lost[number].picture, media_type="image/png")
+
+
 async def picture(request: Request) -> Response:
     """The picture of an answer on a scan."""
-    _, marked = _marking(request)
+    _, marked = marking_of(request)
     found = await run_in_threadpool(marked.current)
     number = number_of(request.query_params.get("problem"), "problem", 1, 999)
     scan = found.scanned.get((_place(found, request), number, request.query_params.get("quantity", "")))
     if scan is None or not scan.picture:
         raise UnknownKeyError("picture")
     return Response(scan.picture, media_type="image/png")
-
-
-def _build(request: Request) -> FinishedBuild:
-    """The build that an address names. Raises UnknownKeyError."""
-    document = document_of(request)
-    key = request.query_params.get("build", "")
-    found = studio_of(request).builds.finished(document.key).get(key)
-    if found is None:
-        raise UnknownKeyError(key[:80])
-    return found
-
-
-def _marking(request: Request) -> tuple[MarkingFolder, MarkedBuild]:
-    return studio_of(request).marking(_build(request))
 
 
 def _place(found: MarkedClass, request: Request) -> int:
@@ -222,6 +168,15 @@ def _listing(request: Request, folder: MarkingFolder, found: MarkedClass, langua
         "questions": questions(found),
         "files": files,
         "faults": faults,
+        "lost": [
+            {
+                "where": words.explained(page.where, names),
+                "why": words.explained(page.why, names),
+                "picture": bool(page.picture),
+            }
+            for page in found.lost
+        ],
+        "binned": [{"kept": kept, "name": name} for kept, name in folder.binned()],
         "left": len(found.marked.not_matched),
         "doubts": len(found.doubtful),
         "handed_in": handed_in,
@@ -276,13 +231,9 @@ ROUTES = [
     Route("/{exam}/mark/list", listing),
     Route("/{exam}/mark/shown", shown),
     Route("/{exam}/mark/find", find),
-    Route("/{exam}/mark/answers", bring, methods=["PUT"]),
-    Route("/{exam}/mark/drop", drop, methods=["POST"]),
-    Route("/{exam}/mark/restore", restore, methods=["POST"]),
-    Route("/{exam}/mark/say", say, methods=["POST"]),
-    Route("/{exam}/mark/policy", policy, methods=["POST"]),
     Route("/{exam}/mark/write", write, methods=["POST"]),
     Route("/{exam}/mark/result/{number}", result),
     Route("/{exam}/mark/sheet", sheet),
     Route("/{exam}/mark/picture", picture),
+    Route("/{exam}/mark/lost/{number}", lost),
 ]

@@ -15,10 +15,9 @@ from variantgen.errors import InputError, Problem
 from variantgen.limits import ROSTER_BYTES
 from variantgen.studio.documents.document import ConflictError, Document
 from variantgen.studio.frame import build_command, language_of, part, render
+from variantgen.studio.pages.exams import answer
 from variantgen.studio.requests import document_of, number_of, read_json, read_upload, studio_of, text_of
 from variantgen.studio.studio import Studio
-from variantgen.studio.summary import summary
-from variantgen.studio.words import page_words
 from variantgen.studio.workspace import write_whole
 
 if TYPE_CHECKING:
@@ -43,7 +42,16 @@ async def shown(request: Request) -> Response:
     found = await run_in_threadpool(
         _alone, studio_of(request).class_tables, look, studio_of(request), document, tab, language
     )
-    return HTMLResponse(part(request, "roster_table", "roster", exam=document.key, **found))
+    return HTMLResponse(
+        part(
+            request,
+            "roster_table",
+            "roster",
+            exam=document.key,
+            command=build_command(studio_of(request), document),
+            **found,
+        )
+    )
 
 
 async def bring(request: Request) -> Response:
@@ -77,28 +85,14 @@ async def use(request: Request) -> Response:
     """Write the class list; the one before can be taken back."""
     data = await read_json(request)
     studio, document = studio_of(request), document_of(request)
-    count, written = await run_in_threadpool(_alone, studio.class_tables, _written, studio, document, data)
-    return JSONResponse({"students": count, "list": written, **_frame(studio, document, language_of(request))})
-
-
-async def back(request: Request) -> Response:
-    """Put the class list back that was there before the one of a SHA-256 was used."""
-    data = await read_json(request)
-    studio, document = studio_of(request), document_of(request)
-    await run_in_threadpool(_alone, studio.class_tables, _put_back, studio, text_of(data, "list"))
-    return JSONResponse(_frame(studio, document, language_of(request)))
+    count = await run_in_threadpool(_alone, studio.class_tables, _written, studio, document, data)
+    return JSONResponse({"students": count, **answer(request, studio, document)})
 
 
 def _alone(tables: ClassTables, work: Callable[P, T], *given: P.args, **named: P.kwargs) -> T:
     """Do work on the table while no other window does."""
     with tables.lock:
         return work(*given, **named)
-
-
-def _frame(studio: Studio, document: Document, language: str) -> dict[str, Any]:
-    """What changes around the page with the class list."""
-    words = page_words(language)
-    return {"under": summary(words, studio, document), "command": build_command(studio, document)}
 
 
 def _compare(tables: ClassTables, data: dict[str, Any]) -> None:
@@ -172,8 +166,8 @@ def _changed(tab: Tab, data: dict[str, Any]) -> Tab:
     return replace(tab, kinds=tuple(kinds))
 
 
-def _written(studio: Studio, document: Document, data: dict[str, Any]) -> tuple[int, str]:
-    """Write the class list of the table that was brought; the number of students, the SHA-256.
+def _written(studio: Studio, document: Document, data: dict[str, Any]) -> int:
+    """Write the class list of the table that was brought; the number of students.
 
     Raises ConflictError where the window has seen another table, InputError.
     """
@@ -194,21 +188,14 @@ def _written(studio: Studio, document: Document, data: dict[str, Any]) -> tuple[
     finally:
         trial.unlink(missing_ok=True)
     is_brought = studio.class_tables.is_brought()
-    written = write_list(studio.workspace, text)
+    before, written = write_list(studio.workspace, text)
+    if before != written:
+        deed = {"kind": "list", "before": before, "after": written}
+        document.note("class_list", {"count": str(len(found.students))}, deed)
     studio.class_tables.remember(table)
     if is_brought:
         studio.class_tables.say(replace(table, taken=written))
-    return len(found.students), written
-
-
-def _put_back(studio: Studio, written: str) -> None:
-    """Let the class list be as it was before the one of a SHA-256 was used. Raises InputError."""
-    from variantgen.studio.roster.lists import take_back
-
-    table = studio.class_tables.current() if studio.class_tables.is_brought() else None
-    take_back(studio.workspace, written)
-    if table is not None:
-        studio.class_tables.say(replace(table, taken=""))
+    return len(found.students)
 
 
 ROUTES = [
@@ -218,5 +205,4 @@ ROUTES = [
     Route("/{exam}/roster/say", say, methods=["POST"]),
     Route("/{exam}/roster/take", take, methods=["POST"]),
     Route("/{exam}/roster/use", use, methods=["POST"]),
-    Route("/{exam}/roster/back", back, methods=["POST"]),
 ]

@@ -9,7 +9,7 @@ from typing import TypeAlias
 from variantgen.families.quantities import Quantity
 from variantgen.methods.steps.point_vectors import PointVectors
 from variantgen.methods.steps.step_geometry import StepGeometry
-from variantgen.wording.formula import Formula
+from variantgen.wording.formula import Formula, Number
 from variantgen.wording.text import Text
 
 
@@ -82,7 +82,12 @@ def _ended(text: Text) -> Text:
 
 
 def both_sides(first: FormulaLine, second: FormulaLine) -> FormulaLines:
-    """The two sides of an equation in numbers, each with its result; on one line where the first is one quantity."""
+    """The two sides of an equation in numbers, each with its result; on one line where the first is one quantity.
+
+    Where the first is zero the second says so by itself.
+    """
+    if first.pieces[0][1] == Number("0"):
+        return FormulaLines((second,))
     if len(first.pieces) > 1:
         return FormulaLines((first, second))
     (_, start), *end = second.pieces

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from decimal import Decimal
 
-from variantgen.algebra.decimals import DRAWING_LENGTH
+from variantgen.algebra.decimals import ANGLE, DRAWING_LENGTH, PRINTED_DIGITS, rounded
 from variantgen.algebra.expression import (
     Applied,
     Constant,
@@ -40,6 +40,7 @@ from variantgen.wording.language import Language, as_fraction
 from variantgen.wording.solution.quantity_symbols import Symbols
 
 _SHORT_SUM = 2  # terms
+_EXACT = 1e-9  # degrees
 
 
 class Formulas:
@@ -115,6 +116,9 @@ class Formulas:
                 return signed[0][1] if len(signed) == 1 and signed[0][0] > 0 else Sum(signed)
             case Times(factors):
                 return Product(tuple(self._written(factor, numbers) for factor in factors))
+            case Ratio(Value(measure="angle") as whole, Constant(parts)) if numbers and _comes_out(whole.shown / parts):
+                degree = self.language.unit(unit("deg"))
+                return Measured(self.number(rounded(whole.shown / parts, PRINTED_DIGITS, ANGLE)), degree)
             case Ratio(above, below):
                 return Fraction(self._written(above, numbers), self._written(below, numbers))
             case Raised(base, exponent):
@@ -149,6 +153,11 @@ class Formulas:
         for factor, plain in zip(factors, bare, strict=True):
             sign = sign if plain is factor else -sign
         return sign, self._written(Times(bare) if isinstance(term, Times) else bare[0], numbers)
+
+
+def _comes_out(angle: float) -> bool:
+    """Whether a part of a printed angle has no more decimals than an angle is printed with."""
+    return abs(angle - rounded(angle, PRINTED_DIGITS, ANGLE)) < _EXACT
 
 
 def _is_short(item: Expression) -> bool:

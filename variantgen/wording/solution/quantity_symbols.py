@@ -30,10 +30,7 @@ class Symbols:
     _letters: dict[Name, Symbol] = field(default_factory=dict, compare=False, repr=False)
 
     def of(self, name: Name) -> Formula:
-        """The symbol of a name; a derivative by time has dots; direction cosines and projections are functions."""
-        if name.kind == "projection":
-            vector = self._vector(name._replace(kind=name.body, body=""))
-            return Function(self.phrases.functions["projection"], Vector(vector))
+        """The symbol of a name; a derivative by time has dots; direction cosines are functions."""
         if name.kind == "cosine":
             vector = self._vector(Name(name.body, name.of))
             return Function(self.phrases.functions["cos"], FormulaList((Vector(vector), Symbol(name.part))))

@@ -160,7 +160,7 @@ class Writer:
             case Body(name):
                 return self.symbols.body(name, form)
             case Point(name):
-                return (Symbol(name),)
+                return (Symbol(f"{name}′" if form == "under" else name),)
             case Segment(start, end, centre_of):
                 part, body = ("centre", centre_of) if centre_of else ("", "")
                 return (self.symbols.of(Name("length", start, end, part, body)),)
@@ -199,18 +199,17 @@ class Writer:
 
     def _derived(self, item: Derived) -> FormulaLine:
         """``name = symbols = numbers = result``; what says the same twice is said once. A sum may have no name."""
-        value, pieces = item.value, []
+        value, expression = item.value, item.value.expression
         result = self.formulas.measured(value)
-        expression = value.expression
+        pieces = [] if item.law is None else [self.formulas.symbolic(item.law)]
         if expression is not None and not _is_plain(expression):
             writes: list[tuple[bool, Callable[[Expression], Formula]]] = [
                 (item.symbolic, self.formulas.symbolic),
                 (item.numeric, self.formulas.numeric),
             ]
-            pieces = [write(expression) for wanted, write in writes if wanted]
+            pieces += [write(expression) for wanted, write in writes if wanted]
         elif isinstance(expression, Value) and item.symbolic and expression.name is not None:
-            laws = [item.law] if item.law is not None else []
-            pieces = [self.formulas.symbolic(part) for part in (*laws, expression)]
+            pieces.append(self.formulas.symbolic(expression))
         kept = list(dict.fromkeys(piece for piece in pieces if not _is_number_of(piece, result)))
         closed = self._closed_form(value)
         sign = _EQUALS if value.comes_out or not kept else _NEARLY

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from variantgen.algebra.expression import Applied, Expression, Ratio, SquareRoot, Times
-from variantgen.algebra.normal_form import Signed, positive, summed
+from variantgen.algebra.normal_form import Signed, positive, signed, summed
 from variantgen.methods.geometry.angles import between
 from variantgen.methods.geometry.constructed_point import ConstructedPoint
 from variantgen.methods.geometry.legs import Leg
@@ -67,7 +67,7 @@ class Derivation(ConstructedPoint):
             if self.geometry.known_corner(self.point, centre, start) is None and self.geometry.lettered.issuperset(
                 corners
             ):
-                shape = "sines" if isinstance(height, Times) else "right"
+                shape = "sines" if isinstance(signed(height)[1], Times) else "right"
                 self.geometry.say(f"triangle_{shape}", triangle=triangle(*sorted(corners)))
             return self.geometry.corner(self.point, centre, start, beta)
         ahead = self.geometry.ahead_on(start, self.guide(start)) if shown else ""

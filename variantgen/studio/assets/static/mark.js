@@ -1,5 +1,5 @@
 // Mark: answers typed by keyboard alone, doubtful readings decided, one student or one question at a time, the rules.
-import { $, all, complain, el, exam, fill, get, lang, note, post, typing } from "./studio.js";
+import { $, all, complain, el, exam, fill, get, lang, note, on, post, renew, typing } from "./studio.js";
 
 const page = document.querySelector(".marking"), words = JSON.parse(page.dataset.words), build = page.dataset.build;
 const asked = more => new URLSearchParams({ build, lang, ...more });
@@ -50,7 +50,7 @@ async function show(focus = false) {
   sheet();
 }
 let later;
-function refresh() { clearTimeout(later); later = setTimeout(async () => { await show(); await showList().catch(complain); }, 400); }
+function refresh() { clearTimeout(later); later = setTimeout(async () => { await show(); await Promise.all([renew(), showList()]).catch(complain); }, 400); }
 async function sheet() {
   const pages = $("pages");
   if (!pages) return;
@@ -158,6 +158,7 @@ list.addEventListener("click", async event => {
   if (link) { event.preventDefault(); open(link); }
   if (button?.dataset.only) { state.only = button.dataset.only; mark(); if (state.only === "doubts") open(links()[0]); }
   if (button?.dataset.view) see(button.dataset.view);
+  if (button?.dataset.back) back(button.dataset.back);
   if (button?.dataset.drop) try {
     const found = await post(`/${exam}/mark/drop?${asked()}`, { file: button.dataset.drop });
     $("command").textContent = found.command;
@@ -187,7 +188,8 @@ async function back(kept) {
     await all_();
   } catch (error) { complain(error); }
 }
-async function all_() { await showList(); await show(); }
+async function all_() { await Promise.all([renew(), showList()]); await show(); }
+addEventListener("exam", () => all_().catch(complain));  // an answer, a file or the rules may have been taken back
 async function bring(files) {
   list.setAttribute("aria-busy", "true");
   for (const file of files) {
@@ -197,11 +199,17 @@ async function bring(files) {
       const data = await answer.json();
       if (!answer.ok) throw new Error(data.problems.map(p => [p.message, p.remedy].filter(Boolean).join(": ")).join("; "));
       $("command").textContent = data.command;
-      note(fill(words.brought, { file: file.name }));
-    } catch (error) { complain(error); }
+    } catch (error) { complain(error); continue; }
+    try { await all_(); note(fill(words.brought, { file: file.name })); } catch (error) { complain(error); }  // scans are read now
   }
-  await all_().catch(complain);
+  list.setAttribute("aria-busy", "false");
 }
+// The pages of scans, one by one, whichever window has brought them.
+on("scan", data => {
+  if (data.build !== build) return;
+  note(fill(words.reading_page, data), "", null, data.done < data.total ? 0 : 2);
+  $("toast").append(el("progress", { max: data.total || 1, value: data.done, "aria-label": fill(words.reading_page, data) }));
+});
 $("bring")?.addEventListener("click", () => $("file").click());
 $("file").addEventListener("change", event => { const files = [...event.target.files]; event.target.value = ""; if (files.length) bring(files); });
 const carries = event => build && event.dataTransfer?.types.includes("Files");

@@ -1,5 +1,5 @@
 // Roster: a table brought as a file, dropped or pasted; its columns named by sight; the class list written from it.
-import { $, all, complain, el, exam, fill, inTurn, lang, note, post, typing, words as common } from "./studio.js";
+import { $, complain, el, exam, fill, head, inTurn, lang, note, post, typing, undo, words as common } from "./studio.js";
 
 const page = document.querySelector(".rosters"), words = JSON.parse(page.dataset.words);
 const use = $("use"), shown = $("shown");
@@ -15,6 +15,7 @@ async function show() {
   if (scroll) { scroll.scrollTop = at; scroll.scrollLeft = left; }
   if (focused && document.activeElement === document.body) $(focused)?.focus();
   const found = seen = { ...shown.firstElementChild?.dataset };
+  if (found.command) $("command").textContent = found.command;
   use.hidden = !("ready" in found);
   use.disabled = found.ready !== "yes" || found.taken === "yes";
   use.textContent = found.taken === "yes" ? fill(words.is_used, { students: found.students }) : found.ready === "yes" ? fill(words.use_these, { students: found.students }) : found.count === "0" ? words.no_students : fill(words.first_answer, { questions: found.asked });
@@ -39,8 +40,10 @@ function ask(what, data) {
 // Another window has brought another table: one of both is chosen. It stays until that is done.
 function both(mine) {
   if (!mine.key || mine.key === seen.key) return;
+  // Pasted tables have one name: who stands in them tells them apart.
+  const named = own => own.name === seen.name && own.name === mine.name ? `${own.name} (${[own.students, own.first].filter(Boolean).join(": ")}…)` : own.name;
   const end = () => { $("overtaken").hidden = true; };
-  $("overtaken").replaceChildren(fill(words.overtaken, { theirs: seen.name, mine: mine.name }), " ",
+  $("overtaken").replaceChildren(fill(words.overtaken, { theirs: named(seen), mine: named(mine) }), " ",
     el("button", { type: "button", onclick: () => take(mine.key).then(end, complain) }, common.keep_mine), " ", el("button", { type: "button", onclick: end }, common.take_that));
   $("overtaken").hidden = false;
 }
@@ -59,10 +62,7 @@ async function bring(body, name) {
     note(words.is_read, words.take_back, () => take(data.before).catch(complain));
   } catch (error) { complain(error); await show(); }
 }
-function around(data) {
-  for (const [name, text] of Object.entries(data.under)) all(`[data-under="${name}"]`, document.body).forEach(place => { place.textContent = text; });
-  $("command").textContent = data.command;
-}
+addEventListener("exam", () => show());  // the list may have been taken back
 
 shown.addEventListener("change", event => {
   const { column, used } = event.target.dataset;
@@ -101,8 +101,8 @@ use.addEventListener("click", async () => {
   use.disabled = true;
   try {
     const data = await ask("use", {});
-    around(data); await show();
-    note(words.written, words.take_back, async () => { try { around(await post(`/${exam}/roster/back?lang=${lang}`, { list: data.list })); await show(); } catch (error) { complain(error); } });
+    head(data); await show();
+    note(words.written, words.take_back, undo);
   } catch (error) { complain(error); await show(); }
 });
 await show();

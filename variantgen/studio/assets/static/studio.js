@@ -88,7 +88,8 @@ export const onOutside = show => shows.push(show);
 async function outside(data) { others += 1; state.version = data.version; for (const show of shows) await show(data); settled(data); }
 
 const saving = yes => { const place = $("saved"); if (place) place.textContent = yes ? words.saving : place.dataset.saved; };
-function settled(data) {
+// The buttons of undo and the numbers under the steps; what others than edits of the exam do changes them, too.
+export function head(data) {
   state.version = data.version;
   for (const [name, at] of [["undo", words.undo], ["redo", words.redo]]) {
     const button = $(name), text = data[name] ? `${at}: ${data[name]}` : at;
@@ -96,9 +97,10 @@ function settled(data) {
     if (name === "undo") button.querySelector(".vh").textContent = text; else button.setAttribute("aria-label", text);
   }
   for (const [name, text] of Object.entries(data.under)) all(`[data-under="${name}"]`, body).forEach(place => { place.textContent = text; });
-  dispatchEvent(new CustomEvent("exam", { detail: data }));
   return data;
 }
+export const renew = async () => head(await get(`/${exam}/state`));
+function settled(data) { head(data); dispatchEvent(new CustomEvent("exam", { detail: data })); return data; }
 // The same key was changed elsewhere: both values are shown, and one of them is chosen.
 async function conflict(data, operations, about) {
   if (data.moved) {
@@ -121,7 +123,7 @@ async function step(name, told) {
     await inTurn(async () => outside(await post(`/${exam}/${name}`, { window: own, version: version() })));
     note(fill(told, { what }));
   } catch (error) {
-    if (error.status === 409) await inTurn(async () => outside(await get(`/${exam}/state`)));
+    if (error.status === 409) await inTurn(async () => outside(await get(`/${exam}/state`))); else await renew().catch(() => {});
     complain(error);
   }
 }

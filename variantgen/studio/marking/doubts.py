@@ -1,0 +1,47 @@
+"""What the page Mark shows of doubtful readings: what each would be worth, how dark the bubbles are, what is open."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+from typing import Any
+
+from variantgen.exam import answer_page
+from variantgen.marking.marks import MarkedAnswer, verdict_of
+from variantgen.marking.scan.copies import ScannedAnswer
+from variantgen.studio.marking.marked import MarkedClass
+
+_READINGS, _BUBBLES = 4, 6  # of an answer that are shown
+_DARKEST = 1.5  # that a bar shows, in usual marks
+
+
+def points_between(found: MarkedClass, place: int, written: Callable[[Fraction], str]) -> str:
+    """The points of a student; while readings are doubtful the least and the most that may come of them."""
+    low = found.marked.totals[place].points
+    own = {(problem, name) for at, problem, name in found.doubtful if at == place}
+    if not own:
+        return written(low)
+    waiting = (item for item in found.marked.marks if item.place == place)
+    most = sum((item.of for item in waiting if (item.problem, item.answer.quantity.name) in own), low)
+    return f"{written(low)}\N{EN DASH}{written(most)}"
+
+
+def readings(doubt: ScannedAnswer, item: MarkedAnswer) -> list[dict[str, str]]:
+    """What a doubtful answer may say, as it was read first, with the verdict of each."""
+    texts = dict.fromkeys(text for text in (doubt.read.text, *doubt.others) if text)
+    return [{"text": text, "verdict": verdict_of(item.answer, text)[2].value} for text in list(texts)[:_READINGS]]
+
+
+def bubbles(doubt: ScannedAnswer, decimal_mark: str) -> list[dict[str, Any]]:
+    """The bubbles of doubtful columns: what they stand for, how dark they are beside the usual mark (per cent)."""
+    kinds = {answer_page.MINUS: "minus", answer_page.POINT: "point"}
+    return [
+        {
+            "kind": kinds.get(column, "digit"),
+            "place": value if column == answer_page.POINT else column,
+            "value": decimal_mark if column == answer_page.POINT else str(value),
+            "share": round(100 * share),
+            "width": round(100 * min(share / _DARKEST, 1.0)),
+        }
+        for column, value, share in doubt.seen[:_BUBBLES]
+    ]
