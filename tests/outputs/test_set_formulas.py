@@ -11,7 +11,21 @@ import pytest
 from variantgen.outputs.typst.markup import TypstMarkup, heading, markup
 from variantgen.outputs.typst.set_formulas import set_formulas
 from variantgen.outputs.typst.typesetter import typesetter
-from variantgen.wording.formula import Equation, Formula, Index, Measured, Number, Symbol, SymbolProperty, UnitText
+from variantgen.wording.formula import (
+    Equation,
+    Formula,
+    Function,
+    Index,
+    Measured,
+    Number,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    SymbolProperty,
+    UnitText,
+    Vector,
+)
 from variantgen.wording.formula.tree import ANGLE
 
 SPEED, ANGULAR = UnitText((("m/s", 1),)), UnitText((("рад/с", 2),))
@@ -30,7 +44,34 @@ FORMULAS: list[Formula] = [
     SymbolProperty("angle", Symbol("v", (Index("B"),))),
     SymbolProperty("sense", Symbol("omega")),
 ]
-MARKUP = [*map(markup, FORMULAS), heading(Symbol("v", (Index("B"),)), SPEED), heading(Symbol("epsilon"), ANGULAR)]
+ACCELERATION = Symbol("a", (Index("A"),), part=(Index("n"),))
+# Solutions break no formula: there products and sums are set too.
+LONGER: list[Formula] = [
+    Vector(Symbol("v", (Index("B"),))),
+    Vector(ACCELERATION),
+    Symbol(ANGLE + "BOA"),
+    Power(Symbol("omega", (Index("OA"),)), 2),
+    Power(ACCELERATION, 2),
+    Power(Number("48"), 2),
+    Number("28.28"),
+    Measured(Number("28.28"), SPEED),
+    Measured(Number("45"), UnitText((("°", 1),), tight=True)),
+    Product((Number("2"), Symbol("omega"))),
+    Product((Symbol("BC"), Function("sin", Symbol("phi")))),
+    Product((Number("40"), Function("sin", Measured(Number("45"), UnitText((("°", 1),), tight=True))))),
+    Product((Power(Symbol("omega", (Index("BC"),)), 2), Symbol("BC"))),
+    Product((Symbol("OA"), Function("tg", Symbol(ANGLE + "BOA")))),
+    Sum(((-1, Symbol("OC")), (1, Product((Number("3"), Number("−2")))))),
+    Product((Number("2"), Sum(((1, Symbol("OC")), (-1, Number("85")))))),
+    Sum(((1, Vector(ACCELERATION)), (1, Vector(Symbol("a", (Index("A/B"),), part=(Index("t"),)))))),
+    Product((Number("2.5"), Measured(Number("45"), UnitText((("°", 1),), tight=True)))),
+]
+MARKUP = [
+    *map(markup, FORMULAS),
+    *map(markup, LONGER),
+    heading(Symbol("v", (Index("B"),)), SPEED),
+    heading(Symbol("epsilon"), ANGULAR),
+]
 PAGES = """#import "common.typ": *
 #show: document-style.with("ru")
 #set page(width: 200pt, height: 60pt, margin: 9pt)
@@ -57,7 +98,7 @@ def glyphs(node: ET.Element, shift: complex = 0j) -> list[Glyph]:
 def pages() -> list[list[Glyph]]:
     import typst
 
-    known = {"data": MARKUP, "set-formulas": set_formulas(MARKUP)}
+    known = {"data": MARKUP, "set-formulas": set_formulas(MARKUP, longer=True)}
     inputs = {"form": "svg", **{name: f"{name}.json" for name in known}}
     with typesetter() as engine:
         for name, found in known.items():

@@ -402,8 +402,8 @@ def test_words_and_numbers_are_never_markup(engine: Typesetter, tmp_path: Path, 
 
 
 def test_figures_refuse_what_stands_in_texts_only() -> None:
-    with pytest.raises(TypeError, match="Sum"):
-        typeset(plus(A, B))
+    with pytest.raises(TypeError, match="Fraction"):
+        typeset(Fraction(A, B))
 
 
 @pytest.mark.parametrize(

@@ -137,7 +137,8 @@ def hand_errors(variants: Sequence[Variant], asked: Sequence[Quantity], motion: 
     for own in (steps, [quantity for quantity in asked if quantity.is_extreme]):
         rows = np.array([quantity in own for quantity in asked])
         if np.any(~np.isfinite(table[rows])):
-            found = _sensitivity(variants, own, motion.take(np.array(places, dtype=int)))
+            whole = list(places) == list(range(motion.size))
+            found = _sensitivity(variants, own, motion if whole else motion.take(np.array(places, dtype=int)))
             # no number where a change of data leads nowhere
             by_data = np.where(np.isfinite(found), _OF_DATA * found, 0.0)
             table[rows] = np.where(np.isfinite(table[rows]), table[rows], by_data)

@@ -225,11 +225,13 @@ def _answers(
         motion, places = solved[members[0]][0], [solved[i][1] for i in members]
         own = [variants[i] for i in members]
         confirm_answers(own, quantities, motion, places)
+        # Before the tolerances, which begin with the same values: several may be of one turn of the crank, found once.
+        numbers = [quantity.value(motion)[places] for quantity in quantities]
         needed = answer_tolerances.tolerances(own, quantities, motion, places)
         length = variants[members[0]].family.length_unit
         table = [
-            _column(quantity, quantity.unit(length), quantity.value(motion)[places], by_hand)
-            for quantity, by_hand in zip(quantities, needed, strict=True)
+            _column(quantity, quantity.unit(length), computed, by_hand)
+            for quantity, computed, by_hand in zip(quantities, numbers, needed, strict=True)
         ]
         found.update(zip(members, zip(*table, strict=True), strict=True))
     return [found[i] for i in range(len(variants))]

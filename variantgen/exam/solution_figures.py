@@ -12,7 +12,7 @@ from variantgen.figure.drawing import LETTER, Drawing
 from variantgen.figure.equations.body_board import FigureSubject
 from variantgen.figure.faults import figure_faults, vector_faults
 from variantgen.figure.graph import solved_grid
-from variantgen.figure.lettering import INDEX
+from variantgen.figure.letter_run import INDEX
 from variantgen.figure.views import view
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.graphical.plan_scale import MILLIMETRES

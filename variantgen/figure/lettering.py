@@ -12,36 +12,34 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from variantgen.figure.drawing import LETTER, Label
-from variantgen.figure.glyphs import Glyph, glyph, has_glyph, kerning
+from variantgen.figure.glyphs import Glyph
+from variantgen.figure.letter_run import SCALE, WORD_SPACE, PlacedGlyph, Run
 from variantgen.wording.formula import (
     GREEK,
     Equation,
     Formula,
     FormulaList,
+    Function,
     Index,
     Measured,
     Number,
+    Power,
+    Product,
     Quotient,
+    Sum,
     Symbol,
     SymbolProperty,
     UnitText,
+    Vector,
     letters,
+    precedence,
 )
+from variantgen.wording.formula.precedence import Between
+from variantgen.wording.formula.tree import ANGLE
 
-_INDEX_DOWN, _POWER_UP, _POWER_UP_IN_INDEX, _LEAST_GAP, _AFTER = 0.247, 0.363, 0.289, 0.16, 0.056
-_POWER_BOTTOM = 0.344  # a power over an index is raised alone until its ink is as high
-_THIN, _AROUND_EQUALS, _WORD_SPACE = 1 / 6, 5 / 18, 0.331
-INDEX = 0.7  # size of an index in that of its letter
-_SCALE = (1.0, INDEX, 0.5)  # of the sizes of formula, index, index of an index
-_UNKNOWN = "0u°"  # stands for a letter that the table does not have
-
-
-@dataclass(frozen=True)
-class PlacedGlyph:
-    """A glyph with the place of its origin (em, baseline of the formula at 0)."""
-
-    glyph: Glyph
-    at: complex
+_PARENTHESES = 0.79  # as high as a formula may be between parentheses of a line
+_THIN, _AROUND_EQUALS, _AROUND_SIGN = 1 / 6, 5 / 18, 2 / 9
+ARROWS = {"v": 0.558, "a": 0.551, "r": 0.511, "omega": 0.609}  # where the arrow above a letter stands
 
 
 @dataclass(frozen=True)
@@ -56,8 +54,8 @@ class Lettering:
 
 @lru_cache(maxsize=10_000)
 def typeset(formula: Formula) -> Lettering:
-    """The lettering of a formula. Raises TypeError for a kind that stands in texts only, like a sum."""
-    run = _Run()
+    """The lettering of a formula. Raises TypeError for a kind that stands in texts only, like a fraction."""
+    run = Run()
     _set(run, formula)
     bottom = min((p.at.imag + p.glyph.bottom for p in run.glyphs), default=0.0)
     top = max((p.at.imag + p.glyph.top for p in run.glyphs), default=0.0)
@@ -71,82 +69,21 @@ def letters_of(label: Label) -> list[tuple[Glyph, complex]]:
     return [(placed.glyph, origin + LETTER * placed.at) for placed in found.glyphs]
 
 
-class _Run:
-    """Letters in a row; ``x`` is where the next one begins."""
-
-    def __init__(self) -> None:
-        self.glyphs: list[PlacedGlyph] = []
-        self.x = 0.0
-        self.index_x = 0.0
-
-    def add(self, letter: str, level: int) -> None:
-        """Set one letter of a formula (italic, Greek, a digit, a mark) at a level."""
-        found = next((n for n in (f"{level}i{letter}", f"0i{letter}") if has_glyph(n)), "")
-        self._put(glyph(found) if found else _upright(letter, level))
-
-    def words(self, text: str, level: int = 0) -> None:
-        """Set upright text. The engine takes a number of nothing but digits and points for a formula."""
-        if all(letter in "0123456789." for letter in text):
-            for letter in text:
-                self.add(letter, level)
-            return
-        for before, letter in zip(" " + text, text, strict=False):
-            self.x += _SCALE[level] * kerning(before, letter)
-            if letter == " ":
-                self.x += _WORD_SPACE * _SCALE[level]
-            else:
-                self._put(_upright(letter, level))
-
-    def _put(self, letter: Glyph) -> None:
-        self.glyphs.append(PlacedGlyph(letter, complex(self.x, 0.0)))
-        self.index_x = self.x + letter.index_at
-        self.x += letter.width
-
-    def attach(self, index: _Run, power: _Run, level: int) -> None:
-        """Set what stands below and above to the right of the letters so far."""
-        scale = _SCALE[level]
-        raised = _POWER_UP_IN_INDEX if level else _POWER_UP
-        down, up = _INDEX_DOWN * scale if index.glyphs else 0.0, raised * scale if power.glyphs else 0.0
-        if index.glyphs and power.glyphs:
-            highest = max(p.at.imag + p.glyph.top for p in index.glyphs) - down
-            lowest = up + min(p.at.imag + p.glyph.bottom for p in power.glyphs)
-            apart = max(0.0, _LEAST_GAP * scale - (lowest - highest))
-            alone = min(max(0.0, _POWER_BOTTOM * scale - lowest), apart)
-            down, up = down + 0.5 * (apart - alone), up + 0.5 * (apart + alone)
-        end = self.x
-        for run, x, y in ((index, self.index_x, -down), (power, self.x, up)):
-            if run.glyphs:
-                self.glyphs += [PlacedGlyph(p.glyph, p.at + complex(x, y)) for p in run.glyphs]
-                end = max(end, x + run.x + _AFTER * scale)
-        self.x = self.index_x = end
-
-
-def _upright(letter: str, level: int) -> Glyph:
-    """A letter of a word: not cut for its size, but made smaller."""
-    name = f"0u{letter}"
-    return glyph(name if has_glyph(name) else _UNKNOWN, _SCALE[level])
-
-
-def _set(run: _Run, formula: Formula) -> None:
+def _set(run: Run, formula: Formula) -> None:
     match formula:
-        case Symbol(base, index, upper, part):
-            if part:
-                run.add("(", 0)
-            _set_name(run, base, 0)
-            if index or upper:
-                run.attach(_script(index, 1), _script(upper, 1), 0)
-            if part:
-                run.add(")", 0)
-                run.attach(_script(part, 1), _Run(), 0)
+        case Symbol():
+            _set_symbol(run, formula)
+        case Vector(symbol):
+            _set_symbol(run, symbol, arrow=True)
         case Number(text):
             run.words(text)
         case UnitText(parts):
             for word, power in parts:
                 run.words(word)
                 if power != 1:
-                    above = _Run()
+                    above = Run()
                     above.words(str(power).replace("-", "\N{MINUS SIGN}"), 1)
-                    run.attach(_Run(), above, 0)
+                    run.attach(Run(), above, 0)
         case Measured(number, unit):
             run.words(number.text)
             run.x += 0.0 if unit.tight or not unit.parts else _THIN
@@ -169,11 +106,74 @@ def _set(run: _Run, formula: Formula) -> None:
             _set(run, above)
             run.words("/")
             _set(run, below)
+        case Sum(terms):
+            _set_sum(run, terms)
+        case Product(factors):
+            _set_product(run, factors)
+        case Power(Symbol() as base, exponent) if not precedence.as_base(base, False) and 0 <= exponent <= 9:
+            _set_symbol(run, base, exponent=str(exponent))
+        case Power(Number() as base, exponent) if not precedence.as_base(base, False) and 0 <= exponent <= 9:
+            run.words(base.text)
+            run.attach(Run(), _digits(str(exponent), 1), 0)
+        case Function(name, argument) if not (isinstance(argument, Vector) or precedence.as_argument(argument)):
+            run.words(name)
+            run.x += _THIN
+            _set(run, argument)
         case _:
             raise TypeError(f"figures have no letters for a formula of the kind {type(formula).__name__}")
 
 
-def _set_about(run: _Run, what: str, symbol: Symbol) -> None:
+def _set_symbol(run: Run, symbol: Symbol, exponent: str = "", arrow: bool = False) -> None:
+    """A letter with its indices, an arrow above it, and an exponent: that of a letter in parentheses is theirs."""
+    above = _digits(exponent, 1) if exponent else Run()
+    if symbol.part:
+        run.add("(", 0)
+    if symbol.base.startswith(ANGLE):
+        run.add("∠", 0)
+    if arrow:
+        run.mark(run.x + ARROWS[symbol.base])
+    _set_name(run, symbol.base.removeprefix(ANGLE), 0)
+    upper = _script(symbol.upper, 1) if symbol.upper or symbol.part else above
+    if symbol.index or upper.glyphs:
+        run.attach(_script(symbol.index, 1), upper, 0)
+    if symbol.part:
+        run.add(")", 0)
+        run.attach(_script(symbol.part, 1), above, 0)
+
+
+def _set_sum(run: Run, terms: Sequence[tuple[int, Formula]]) -> None:
+    for i, (sign, term) in enumerate(terms):
+        around = _AROUND_SIGN if i else 0.0
+        run.x += around
+        if i or sign < 0:
+            run.words("+" if sign > 0 else "\N{MINUS SIGN}")
+        run.x += around
+        _set_part(run, term, precedence.as_term(sign, term, not i, False))
+
+
+def _set_product(run: Run, factors: Sequence[Formula]) -> None:
+    for i, factor in enumerate(factors):
+        if i:
+            run.x += _THIN
+            if precedence.between(factors, i - 1) is Between.DOT:
+                run.words("\N{DOT OPERATOR}")
+                run.x += _THIN
+        _set_part(run, factor, precedence.as_factor(factors, i, False))
+
+
+def _set_part(run: Run, formula: Formula, parentheses: bool) -> None:
+    """A part of a formula, perhaps in parentheses. Raises TypeError where those would have to be taller than a line."""
+    if parentheses:
+        found = typeset(formula)
+        if max(found.top, 0.5 - found.bottom) > _PARENTHESES:
+            raise TypeError("tall parentheses are no letters")
+        run.add("(", 0)
+    _set(run, formula)
+    if parentheses:
+        run.add(")", 0)
+
+
+def _set_about(run: Run, what: str, symbol: Symbol) -> None:
     """``|v|``, ``∠(v, x)``, ``sgn v``."""
     match what:
         case "modulus":
@@ -194,7 +194,7 @@ def _set_about(run: _Run, what: str, symbol: Symbol) -> None:
             _set(run, symbol)
 
 
-def _set_name(run: _Run, name: str, level: int) -> None:
+def _set_name(run: Run, name: str, level: int) -> None:
     """Letters of points with their numbers, a Greek letter, or digits."""
     if name in GREEK:
         run.add(GREEK[name], level)
@@ -204,30 +204,30 @@ def _set_name(run: _Run, name: str, level: int) -> None:
     else:
         for letter, number in letters(name):
             if letter == "′":
-                run.attach(_Run(), _prime(level + 1), level)
+                run.attach(Run(), _prime(level + 1), level)
                 continue
             run.add(letter, level)
             if number:
-                run.attach(_digits(number, level + 1), _Run(), level)
+                run.attach(_digits(number, level + 1), Run(), level)
 
 
-def _prime(level: int) -> _Run:
-    run = _Run()
+def _prime(level: int) -> Run:
+    run = Run()
     run.add("′", min(level, 2))
     return run
 
 
-def _digits(number: str, level: int) -> _Run:
-    run = _Run()
+def _digits(number: str, level: int) -> Run:
+    run = Run()
     _set_name(run, number, min(level, 2))
     return run
 
 
-def _script(parts: Sequence[Index], level: int) -> _Run:
-    run = _Run()
+def _script(parts: Sequence[Index], level: int) -> Run:
+    run = Run()
     for i, part in enumerate(parts):
         if i and (part.upright or parts[i - 1].upright):
-            run.x += _WORD_SPACE * _SCALE[level]
+            run.x += WORD_SPACE * SCALE[level]
         if part.upright:
             run.words(part.text, level)
         else:

@@ -191,9 +191,11 @@ def sensitivity(
     moved = _moved_motion(form, parameters, moving, on_paper, asked, motion)
     silent = np.array([form.parameters[name].silent for name in moving])
     total = []
-    for quantity in asked:
-        base = quantity.value(motion)
-        change = _change(quantity, quantity.value(moved).reshape(len(moving), motion.size), base)
+    # All of one motion, then all of the other: several values may be of one turn of the crank, found once.
+    bases = [quantity.value(motion) for quantity in asked]
+    others = [quantity.value(moved).reshape(len(moving), motion.size) for quantity in asked]
+    for quantity, base, other in zip(asked, bases, others, strict=True):
+        change = _change(quantity, other, base)
         for name in np.array(moving)[silent].tolist():
             _refuse_silent_influence(name, quantity, change[moving.index(name)], base, motion)
         size = 1.0 if quantity.is_angle else np.where(base == 0, np.inf, np.abs(base))

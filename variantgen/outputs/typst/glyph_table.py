@@ -22,7 +22,7 @@ from variantgen.wording.formula import GREEK
 _LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
 _CYRILLIC = "АБВГДЕЖЗИЙКЛМНОПРСТУФХЦЧШЩЪЫЬЭЮЯЁабвгдежзийклмнопрстуфхцчшщъыьэюяё"
 _DIGITS = "0123456789"
-_MARKS = _DIGITS + ".,+−/°'()=:;·×-"  # as in words
+_MARKS = _DIGITS + ".,+−/°'()=:;·⋅×-"  # as in words
 _SIGNS = {".": ".", ",": ",", "|": "bar.v", "(": "paren.l", ")": "paren.r", "∠": "angle"}  # as in formulas
 _LINES = {"∥": 'class("normal", parallel)', "⟂": 'class("normal", perp)'}  # along and across a line, in an index too
 _SIZES = ("{}", "script({})", "sscript({})")

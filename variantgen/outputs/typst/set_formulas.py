@@ -12,13 +12,30 @@ from functools import lru_cache
 from typing import Any
 
 from variantgen.figure.glyphs import kerning
-from variantgen.figure.lettering import Lettering, PlacedGlyph, typeset
+from variantgen.figure.letter_run import PlacedGlyph
+from variantgen.figure.lettering import Lettering, typeset
 from variantgen.outputs.typst.markup import TypstMarkup, marked
-from variantgen.wording.formula import Formula, FormulaList, Symbol, SymbolProperty, UnitText, to_plain
+from variantgen.wording.formula import (
+    Formula,
+    FormulaList,
+    Function,
+    Measured,
+    Number,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    SymbolProperty,
+    UnitText,
+    Vector,
+    to_plain,
+)
 from variantgen.wording.formula.tree import ANGLE
 
 # Others are left to the engine: some of them may be broken into lines, for some figures have no letters.
 _SET = (Symbol, UnitText, SymbolProperty)
+_LONGER = (Function, Measured, Number, Power, Product, Sum, Vector)
+_LONGEST = 14.0  # em
 
 _DIGITS = 4
 _SIZE = (1.0, 0.7, 0.5)  # of formula, index, index of an index
@@ -28,9 +45,12 @@ _UNKNOWN = "°"  # stands for letters that the table does not have
 Fragment = tuple[float, float, float, int, str]
 
 
-def set_formulas(data: Any) -> dict[str, Any]:
-    """The formulas in the data of a document by their markup: width, lowest and highest ink (em), pieces."""
-    return {str(found): made for found in marked(data) if (made := _set(found.formulas))}
+def set_formulas(data: Any, longer: bool = False) -> dict[str, Any]:
+    """The formulas in the data of a document by their markup: width, lowest and highest ink (em), pieces.
+
+    ``longer`` sets products and sums too: for documents that break no formula.
+    """
+    return {str(found): made for found in marked(data) if (made := _set(found.formulas, longer))}
 
 
 def set_width(markup: TypstMarkup) -> float | None:
@@ -40,11 +60,18 @@ def set_width(markup: TypstMarkup) -> float | None:
 
 
 @lru_cache(maxsize=10_000)
-def _set(formulas: tuple[Formula, ...]) -> tuple[float, float, float, tuple[Fragment, ...]] | None:
-    if not all(map(_is_set, formulas)):
+def _set(
+    formulas: tuple[Formula, ...], longer: bool = False
+) -> tuple[float, float, float, tuple[Fragment, ...]] | None:
+    if not all(_is_set(formula) or (longer and isinstance(formula, (*_SET, *_LONGER))) for formula in formulas):
         return None
     whole = formulas[0] if len(formulas) == 1 else FormulaList(formulas)
-    found = typeset(whole)
+    try:
+        found = typeset(whole)
+    except (KeyError, TypeError):  # a fraction in it, a letter without an arrow
+        return None
+    if found.width > _LONGEST:
+        return None
     pieces = _pieces(found)
     if "".join(piece[-1] for piece in pieces).count(_UNKNOWN) != to_plain(whole).count(_UNKNOWN):
         return None

@@ -59,7 +59,11 @@ class Typesetter:
         with_alt = tagged and form == "pdf"
         known: dict[str, Any] = {}
         if form == "pdf":
-            known = {"alternatives": alternatives(data)} if tagged else {"set-formulas": set_formulas(data)}
+            known = (
+                {"alternatives": alternatives(data)}
+                if tagged
+                else {"set-formulas": set_formulas(data, template == "solutions.typ")}
+            )
         try:
             made = _compiler(self.root).compile(
                 self.root / template,
