@@ -144,7 +144,7 @@ class Moving:
         return [*ground, *bases], frames, list(drawing.labels), paper
 
     def names(self, labels: Sequence[Label], paper: Paper) -> list[tuple[Formula, ComplexField, ComplexField]]:
-        """The names of points among ``labels``, where the points are in all positions and where the names stand (u).
+        """The names of points among ``labels``, where the points are and where the names stand (u), shape (K,) each.
 
         Those of moving points keep off the links; those of points at rest stay where they are.
         """

@@ -58,14 +58,14 @@ def command_text(said: str, language: str) -> str:
 
 
 def _line(line: str, language: str) -> str:
-    """A line of a command: the longest end of it that is a known message is told in the language."""
+    """A line of a command: the longest end of it that is a known message is put into the language."""
     if said := _GOT.fullmatch(line):
         return _RUSSIAN_GOT.format(_line(said[1], language), said[2]) if language != "en" else line
     bare = line.strip()
     starts = [0, *(found.end() for found in re.finditer(": ", bare))]
     spoken = ((bare[:start], bare[start:], in_language(bare[start:], language)) for start in starts)
-    told = next((head + new for head, old, new in spoken if new != old), bare)
-    return line[: len(line) - len(line.lstrip())] + told
+    translated = next((head + new for head, old, new in spoken if new != old), bare)
+    return line[: len(line) - len(line.lstrip())] + translated
 
 
 @cache
