@@ -12,11 +12,11 @@ from typing import NamedTuple
 
 from variantgen.errors import InputError
 from variantgen.exam.composed import write
-from variantgen.exam.wanted_work import LEVELS, MOST
+from variantgen.exam.work.wanted_work import LEVELS, MOST
 from variantgen.families.asking import read_ask
-from variantgen.families.files import FAMILY
-from variantgen.families.load import load_family
 from variantgen.families.quantities import motion_order
+from variantgen.families.reading.files import FAMILY
+from variantgen.families.reading.load import load_family
 from variantgen.synthesis.levels import chosen_structures, level
 from variantgen.synthesis.structures import Structure, code
 from variantgen.tables import Table

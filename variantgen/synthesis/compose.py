@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from variantgen.errors import InputError, Problem, VariantgenError
 from variantgen.families.family import Family
-from variantgen.families.files import FAMILY
-from variantgen.families.load import load_family
 from variantgen.families.quantities import Quantity, parse_quantity
+from variantgen.families.reading.files import FAMILY
+from variantgen.families.reading.load import load_family
 from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import Motion
 from variantgen.synthesis.chance import Chance

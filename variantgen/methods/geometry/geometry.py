@@ -14,7 +14,7 @@ from collections.abc import Iterable, Sequence
 from variantgen.algebra.expression import Constant, Expression, Total, Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import Signed, summed
-from variantgen.families.expressions import FamilyExpression
+from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.methods.geometry import trigonometry
 from variantgen.methods.geometry.angle_sums import angle_sum
 from variantgen.methods.geometry.angles import AngleForm, Atom, between, degrees, normal_angle

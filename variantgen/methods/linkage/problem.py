@@ -12,10 +12,10 @@ from types import MappingProxyType
 
 from variantgen.algebra.expression import Constant, Expression, Pi, Value
 from variantgen.algebra.name import Name
-from variantgen.families.expressions import FamilyExpression
 from variantgen.families.family import Form
+from variantgen.families.parameters.expressions import FamilyExpression
+from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import Quantity, motion_order
-from variantgen.families.units import unit
 from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Placement
