@@ -160,7 +160,7 @@ def _is_new(book: Book, value: Value) -> bool:
 
 
 def _projection(share: Share) -> Value:
-    """The projection of a vector as a value with its arithmetic; a given number on the line is the vector's magnitude."""
+    """The projection of a vector as a value with its arithmetic; a given velocity on the line keeps its letter."""
     size = share.term.size
     assert size is not None
     expression = share.size
