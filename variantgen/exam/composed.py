@@ -9,15 +9,15 @@ from pathlib import Path
 
 from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.exam.solution_figures import solution_figure_faults
-from variantgen.exam.wanted_work import Span
+from variantgen.exam.work.wanted_work import Span
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Family
-from variantgen.families.files import CASES
 from variantgen.families.quantities import Quantity, motion_order
+from variantgen.families.reading.files import CASES
 from variantgen.figure.build import statement_figure
 from variantgen.figure.faults import figure_faults
 from variantgen.mechanism.motion import Motion
-from variantgen.mechanism.verify import recompute
+from variantgen.mechanism.verification.verify import recompute
 from variantgen.methods.compose import natural_answers
 from variantgen.methods.hand.work import work_of
 from variantgen.methods.linkage.problem import task_of

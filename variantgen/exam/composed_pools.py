@@ -13,11 +13,11 @@ from typing import NamedTuple
 
 from variantgen.errors import InputError
 from variantgen.exam.composed import write
-from variantgen.exam.wanted_work import LEVELS, MOST, Span
+from variantgen.exam.work.wanted_work import LEVELS, MOST, Span
 from variantgen.families.asking import read_ask
-from variantgen.families.files import FAMILY
-from variantgen.families.load import load_family
 from variantgen.families.quantities import motion_order
+from variantgen.families.reading.files import FAMILY
+from variantgen.families.reading.load import load_family
 from variantgen.synthesis.levels import chosen_structures, level
 from variantgen.synthesis.structures import FRAME, Structure, code
 from variantgen.tables import Table
@@ -143,11 +143,12 @@ def _member(options: _Options, structure: Structure, round_: int, tried: Path, a
 def _aims(options: _Options, best: Sequence[_Member], round_: int) -> dict[int, Span]:
     """How many calculations the next family should take, with accelerations (2) or without (1).
 
-    So many that it goes with those that there are already; any of the level where there are none, at first with accelerations.
+    So many that it goes with those that there are already; any of the level where there are none, at
+    first with accelerations.
     """
     least, most = LEVELS.get(options.level, (1, MOST))
     if not best:
-        return {order: (least, most) for order in ((2, 1) if round_ else (2,))}
+        return dict.fromkeys((2, 1) if round_ else (2,), (least, most))
     own = [member.calculations for member in best]
     span = max(least, math.ceil(max(own) / _WIDTH)), min(most, int(min(own) * _WIDTH))
     return {2 if best[0].accelerations else 1: span}

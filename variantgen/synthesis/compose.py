@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from variantgen.errors import InputError, Problem, VariantgenError
 from variantgen.families.family import Family
-from variantgen.families.files import FAMILY
-from variantgen.families.load import load_family
 from variantgen.families.quantities import Quantity, parse_quantity
+from variantgen.families.reading.files import FAMILY
+from variantgen.families.reading.load import load_family
 from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import Motion
 from variantgen.synthesis.chance import Chance
@@ -63,10 +63,9 @@ def compose(
     """A family of a structure that passes all screens; which one depends on the seed.
 
     ``screening`` are further screens of draws, ``faults`` says what else is wrong with a family, "" for nothing, and
-    ``unfit`` of one variant and what is asked, before much is worked out; ``scratch`` is a folder to try layouts in, at most
-    ``tries``. ``orders``: first accelerations are asked as well (2), then velocities alone (1); ``fewer_too``: of each
-    all, then fewer. Raises InputError where
-    none passes.
+    ``unfit`` of one variant and what is asked, before much is worked out; ``scratch`` is a folder to try layouts in, at
+    most ``tries``. ``orders``: first accelerations are asked as well (2), then velocities alone (1); ``fewer_too``: of
+    each all, then fewer. Raises InputError where none passes.
     """
     chance, why = Chance("compose", code(structure), seed), "no layout"
     for _ in range(tries):

@@ -121,7 +121,7 @@ class Document:
         return found
 
     def _checked(self, text: str) -> Exam | InputError:
-        from variantgen.families.folders import family_folders
+        from variantgen.families.reading.folders import family_folders
         from variantgen.outputs.formats import parse_exam
 
         try:

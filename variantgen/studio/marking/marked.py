@@ -11,7 +11,7 @@ from typing import TypeAlias
 from variantgen.errors import InputError, VariantgenError
 from variantgen.exam.manifest import read_manifest
 from variantgen.exam.marking_policy import MarkingPolicy, read_policy_file
-from variantgen.families.folders import family_folders
+from variantgen.families.reading.folders import family_folders
 from variantgen.finished.restore import Finished, restore
 from variantgen.marking.answer_tables import ReadAnswers, read_answers
 from variantgen.marking.drawn import as_drawn
