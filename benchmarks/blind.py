@@ -19,8 +19,8 @@ from variantgen.exam.composed import write
 from variantgen.exam.composed_pools import shuffled
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Family
-from variantgen.families.folders import family_names
-from variantgen.families.load import load_family
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family
 from variantgen.figure.build import statement_figure
 from variantgen.outputs.figures.svg import svg
 from variantgen.single import one_variant

@@ -38,14 +38,14 @@ IDENTITY = {
     "outputs.html.pages:_environment": "it has the compiled templates",
     "outputs.html.pages:_style": "beside the templates",
     "outputs.latex.templates:_environment": "it has the compiled templates",
-    "mechanism.memory:keep_freed_memory": "once for a process",
+    "mechanism.solving.memory:keep_freed_memory": "once for a process",
 }
 SETTINGS = {
     "as it is": "",
     "no thresholds of the collector": "app.gc = types.SimpleNamespace(set_threshold=lambda *a: 0, freeze=gc.freeze)",
     "no freezing at the end": "app.atexit = types.SimpleNamespace(register=lambda f: 0)",
     "collector on in jobs": "import variantgen.builder.jobs as j; j.gc.disable = lambda: None",
-    "freed memory given back": "import variantgen.mechanism.solve as s; s.keep_freed_memory = lambda: None",
+    "freed memory given back": "import variantgen.mechanism.solving.solve as s; s.keep_freed_memory = lambda: None",
 }
 TRIED = {
     "list": (["list"], ("no thresholds of the collector", "no freezing at the end")),

@@ -12,7 +12,7 @@ import argparse
 from benchmarks.measure import machine_line, write_beside
 from variantgen.check.family import check_family
 from variantgen.check.report import FormReport
-from variantgen.families.folders import family_names
+from variantgen.families.reading.folders import family_names
 
 HEAD = """\
 | family | form | parameters | acceptance, % | distinct variants | blocks | 1000 variants, s |

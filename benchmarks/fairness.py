@@ -15,11 +15,11 @@ from dataclasses import dataclass
 
 from benchmarks.measure import machine_line, write_beside
 from variantgen.exam.answer_tolerances import AnswerTolerances
-from variantgen.exam.fairness import Band, FairDraws
-from variantgen.exam.wanted_work import WIDTH
+from variantgen.exam.work.fairness import Band, FairDraws
+from variantgen.exam.work.wanted_work import WIDTH
 from variantgen.families.family import Family
-from variantgen.families.folders import family_names
-from variantgen.families.load import load_family
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.methods.compose import solution
 from variantgen.methods.hand.work import Work, work_of

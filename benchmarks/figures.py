@@ -19,9 +19,9 @@ from dataclasses import dataclass, field, replace
 
 from benchmarks.measure import machine_line, write_beside
 from variantgen.families.family import Family, Form
-from variantgen.families.folders import family_names
-from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family
 from variantgen.figure.arrow_faults import inspect_arrows
 from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import Arc, Drawing, Layer

@@ -28,8 +28,8 @@ from benchmarks.planted_answers import planted, spelled, width_of, written
 from variantgen.exam.sheets import Answer, answer_variants
 from variantgen.exam.tolerance import Tolerance
 from variantgen.families.asking import read_ask
-from variantgen.families.folders import family_names
-from variantgen.families.load import load_family
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.marking.diagnosis.causes import Comparisons, cause_of
 from variantgen.marking.diagnosis.follow_through import FollowThrough

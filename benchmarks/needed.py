@@ -20,13 +20,13 @@ from benchmarks.measure import write_beside
 from variantgen.algebra.values import in_order
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Form
-from variantgen.families.folders import family_names
-from variantgen.families.load import load_family
 from variantgen.families.quantities import Quantity
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.relative import sliding_points
 from variantgen.mechanism.scene import Scene
-from variantgen.mechanism.solve import solve
+from variantgen.mechanism.solving.solve import solve
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import task_of
 from variantgen.single import one_variant

@@ -21,9 +21,9 @@ from pathlib import Path
 from statistics import mean, median
 from typing import Any
 
-from variantgen.families import folders, load
 from variantgen.families.asking import read_ask
-from variantgen.families.load import load_family
+from variantgen.families.reading import folders, load
+from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import task_of

@@ -31,7 +31,7 @@ from variantgen.exam.exam_file import Exam, read_exam
 from variantgen.exam.roster import numbered
 from variantgen.exam.sheets import Sheet, solve_all
 from variantgen.exam.solution_figures import SolutionFigures, view_order
-from variantgen.families.folders import family_names
+from variantgen.families.reading.folders import family_names
 from variantgen.figure.build import statement_figure
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import task_of

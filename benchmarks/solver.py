@@ -11,13 +11,13 @@ from numpy.typing import NDArray
 from benchmarks.measure import Table, fastest
 from benchmarks.options import Options
 from benchmarks.rivals import EXTRA, MECHANISMS, Mechanism, ways
-from variantgen.families.draw_rules import frame
 from variantgen.families.family import Family, Form
-from variantgen.families.folders import family_names
-from variantgen.families.load import load_family
+from variantgen.families.parameters.draw_rules import frame
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Frame
-from variantgen.mechanism.solve import solve
+from variantgen.mechanism.solving.solve import solve
 from variantgen.variants.draw import draw
 from variantgen.variants.variant import Variant, parameter_arrays
 

@@ -24,12 +24,12 @@ from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.exam.composed import write
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Family
-from variantgen.families.folders import family_names
-from variantgen.families.load import load_family
 from variantgen.families.method_names import METHODS
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family
 from variantgen.figure.build import statement_figure
 from variantgen.figure.faults import figure_faults
-from variantgen.mechanism.verify import recompute
+from variantgen.mechanism.verification.verify import recompute
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import task_of
 from variantgen.methods.steps.not_applicable import NOT_APPLICABLE

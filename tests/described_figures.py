@@ -8,8 +8,8 @@ import string
 from dataclasses import dataclass, replace
 from functools import cache
 
-from variantgen.families.load import load_family
 from variantgen.families.quantities import Quantity, parse_quantity
+from variantgen.families.reading.load import load_family
 from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import Drawing
 from variantgen.mechanism.motion import Motion

@@ -5,11 +5,11 @@ from __future__ import annotations
 from decimal import Decimal
 
 from variantgen.families.asking import read_ask
-from variantgen.families.cases import Case, load_cases
 from variantgen.families.family import Family
-from variantgen.families.folders import family_names
-from variantgen.families.load import load_family
 from variantgen.families.quantities import Quantity, parse_quantity
+from variantgen.families.reading.cases import Case, load_cases
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family
 from variantgen.methods.linkage.problem import Task, task_of
 from variantgen.variants.variant import Variant
 

@@ -31,7 +31,7 @@ from benchmarks import (
 )
 from benchmarks.__main__ import PARTS
 from benchmarks.processes import Ran
-from variantgen.families.load import load_family
+from variantgen.families.reading.load import load_family
 from variantgen.resources import templates_dir
 from variantgen.variants.variant import parameter_arrays
 

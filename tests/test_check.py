@@ -11,11 +11,11 @@ import pytest
 import variantgen.check.draws
 import variantgen.check.family
 from variantgen.check.family import check_family
-from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
+from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import Motion
-from variantgen.mechanism.verify import Recomputed, recompute
+from variantgen.mechanism.verification.verify import Recomputed, recompute
 from variantgen.skeletons import new_family
 from variantgen.variants.counting import variety
 

@@ -15,10 +15,10 @@ from variantgen.check.family import check_family
 from variantgen.check.glossary import avoided_words, family_words, terms
 from variantgen.check.letters import ambiguous_letters
 from variantgen.families.asking import read_ask
-from variantgen.families.folders import family_names
-from variantgen.families.load import load_family
-from variantgen.families.parameter import Parameter
-from variantgen.families.units import UNITS
+from variantgen.families.parameters.parameter import Parameter
+from variantgen.families.parameters.units import UNITS
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family
 from variantgen.resources import catalog_dir, languages, templates_dir
 from variantgen.tables import read_toml
 from variantgen.wording.language import load_language

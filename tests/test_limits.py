@@ -13,8 +13,8 @@ import pytest
 from tests.exam.test_blueprint import at_most
 from variantgen.builder.build_spec import BuildSpec
 from variantgen.cli import main
-from variantgen.families.files import family_files, family_hash
-from variantgen.families.load import load_family
+from variantgen.families.reading.files import family_files, family_hash
+from variantgen.families.reading.load import load_family
 from variantgen.outputs.formats import read_exam
 from variantgen.resources import catalog_dir
 

@@ -10,7 +10,7 @@ import pytest
 
 from variantgen.cli import main
 from variantgen.exam.exam_file import parse_exam
-from variantgen.families.folders import family_names
+from variantgen.families.reading.folders import family_names
 
 # A crank of 20 cm at 30 degrees and a rod of 50 cm to a slider on the axis x; 2 rad/s.
 CRANK = """

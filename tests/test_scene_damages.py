@@ -17,7 +17,7 @@ import pytest
 from tests.own_scenes import SCENES
 from tests.scene_texts import CRANK
 from variantgen.cli import main
-from variantgen.families.folders import family_names
+from variantgen.families.reading.folders import family_names
 from variantgen.resources import catalog_dir
 
 Path_ = tuple[str | int, ...]

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from variantgen.cli import main
-from variantgen.families.load import load_family
-from variantgen.families.parameter import Parameter
+from variantgen.families.parameters.parameter import Parameter
+from variantgen.families.reading.load import load_family
 
 KINDS = Path(__file__).parent / "textbook_kinds"
 

@@ -19,10 +19,10 @@ if TYPE_CHECKING:
     from variantgen.builder import build
     from variantgen.errors import InputError, VariantgenError
     from variantgen.exam.roster import Student, read_roster
-    from variantgen.families.folders import family_names
-    from variantgen.families.load import load_family
+    from variantgen.families.reading.folders import family_names
+    from variantgen.families.reading.load import load_family
     from variantgen.mechanism.scene import Scene
-    from variantgen.mechanism.solve import solve
+    from variantgen.mechanism.solving.solve import solve
     from variantgen.outputs.single.explanation import explain
     from variantgen.outputs.single.picture import picture
     from variantgen.single import answers, solution_document
@@ -39,12 +39,12 @@ _HOMES = {
     "build": "builder",
     "draw": "variants.draw",
     "explain": "outputs.single.explanation",
-    "family_names": "families.folders",
-    "load_family": "families.load",
+    "family_names": "families.reading.folders",
+    "load_family": "families.reading.load",
     "picture": "outputs.single.picture",
     "read_roster": "exam.roster",
     "solution_document": "single",
-    "solve": "mechanism.solve",
+    "solve": "mechanism.solving.solve",
     "turn": "arrays.turn",
 }
 

@@ -15,8 +15,8 @@ from typing import Any
 
 import numpy as np
 
+from variantgen.families.parameters.units import Unit, unit
 from variantgen.families.quantities import Quantity, motion_order, split_name
-from variantgen.families.units import Unit, unit
 from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.relative import relative_motion

@@ -10,10 +10,10 @@ from itertools import pairwise, permutations
 from typing import Any
 
 from variantgen.errors import InputError
-from variantgen.exam.work_samples import usual_work
+from variantgen.exam.work.work_samples import usual_work
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Family, Form
-from variantgen.families.parameter import Parameter
+from variantgen.families.parameters.parameter import Parameter
 from variantgen.families.quantities import Quantity, split_name
 from variantgen.wording.formula import to_plain
 from variantgen.wording.language import Language

@@ -9,10 +9,10 @@ from __future__ import annotations
 import inspect
 import re
 
-from variantgen.families.dimensions import CONSTANTS
-from variantgen.families.expressions import FUNCTIONS
 from variantgen.families.machine import LIMITS, SIZES
-from variantgen.families.units import UNITS
+from variantgen.families.parameters.dimensions import CONSTANTS
+from variantgen.families.parameters.expressions import FUNCTIONS
+from variantgen.families.parameters.units import UNITS
 from variantgen.mechanism.component import FieldSpec, discover, field_specs
 from variantgen.resources import catalog_dir
 

@@ -14,8 +14,8 @@ from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.exam.sheets import Answer, answer_variants
 from variantgen.exam.tolerance import Tolerance
 from variantgen.families.asking import check_ask, read_ask
-from variantgen.families.load import load_family
 from variantgen.families.quantities import Quantity, motion_order
+from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.centres import velocity_centre
 from variantgen.mechanism.motion import Motion

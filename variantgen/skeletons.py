@@ -7,7 +7,7 @@ import tempfile
 from pathlib import Path
 
 from variantgen.errors import InputError, Problem
-from variantgen.families.folders import family_names
+from variantgen.families.reading.folders import family_names
 from variantgen.resources import templates_dir
 
 _NAME = re.compile(r"[a-z][a-z0-9_]{0,40}")

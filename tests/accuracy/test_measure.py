@@ -13,7 +13,7 @@ from variantgen.accuracy.computed import CaseGroup, Computed
 from variantgen.accuracy.measure import FAILURES, Errors, discovered, measure, part, reference_cases
 from variantgen.accuracy.run import case_modules
 from variantgen.accuracy.textbook.four_bar import FourBar
-from variantgen.mechanism.solve import solve
+from variantgen.mechanism.solving.solve import solve
 from variantgen.testing.linkages import wheel
 
 

@@ -24,7 +24,7 @@ from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.mechanism.joints.pivot import Pivot
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.scene import Scene
-from variantgen.mechanism.solve import solve
+from variantgen.mechanism.solving.solve import solve
 from variantgen.testing.linkages import four_bar, sleeve_on_crank, slider_crank
 
 TINY = 1e-22  # derivatives by mpmath.diff have about a third of the digits carried

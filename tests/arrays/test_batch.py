@@ -15,7 +15,7 @@ import variantgen
 from variantgen.arrays.batch import Batch
 from variantgen.errors import InputError
 from variantgen.exam.answer_tolerances import AnswerTolerances
-from variantgen.mechanism.verify import recompute
+from variantgen.mechanism.verification.verify import recompute
 from variantgen.single import one_variant
 from variantgen.variants import attempts
 from variantgen.variants.attempts import FormSampler

@@ -12,9 +12,9 @@ import pytest
 from tests.joint_scenes import SCENES
 from variantgen.check.family import check_family
 from variantgen.cli import main
-from variantgen.families.folders import family_names
-from variantgen.families.load import parse_family
 from variantgen.families.quantities import quantity_names, split_name
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import parse_family
 from variantgen.reference import refreshed
 from variantgen.resources import catalog_dir
 from variantgen.single import one_variant

@@ -7,9 +7,9 @@ from math import isinf
 
 import pytest
 
-from variantgen.families.folders import family_names
-from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity, quantity_names
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.agreement import AGREES, deviation

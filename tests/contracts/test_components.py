@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 from tests.joint_scenes import SCENES as JOINT_SCENES
-from variantgen.families.folders import family_names
-from variantgen.families.load import load_family
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family
 from variantgen.mechanism.component import discover, field_specs
 from variantgen.mechanism.rows import Placement, ScalarRow
 from variantgen.mechanism.scene import Scene
-from variantgen.mechanism.solve import solve
+from variantgen.mechanism.solving.solve import solve
 from variantgen.testing.linkages import four_bar, sleeve_on_crank, slider_crank, spool, wheel
 
 JOINTS, DRIVERS = (discover(f"variantgen.mechanism.{folder}") for folder in ("joints", "drivers"))

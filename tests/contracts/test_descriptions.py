@@ -10,7 +10,7 @@ import string
 import pytest
 
 from tests.described_figures import COMPASS, DescribedFigure, asked_together, described_figures, pattern, words_of
-from variantgen.families.folders import family_names
+from variantgen.families.reading.folders import family_names
 from variantgen.mechanism.component import discover
 from variantgen.resources import languages
 from variantgen.variants.printed_data import shown_points

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from tests.described_figures import DescribedFigure, described_figures, is_between, pattern, said_arrows, sector
-from variantgen.families.folders import family_names
 from variantgen.families.hints import DIRECTIONS
-from variantgen.families.load import load_family
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family
 from variantgen.mechanism.drivers.circling import Circling
 from variantgen.mechanism.drivers.extension import Extension
 from variantgen.mechanism.drivers.relative_travel import RelativeTravel

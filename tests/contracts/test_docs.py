@@ -13,9 +13,9 @@ import pytest
 from variantgen.cli import main
 from variantgen.cli.app import _parser
 from variantgen.exam import allocation, sheets
-from variantgen.families.folders import family_names
-from variantgen.families.load import load_family
 from variantgen.families.method_names import METHODS
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.figure.views import view_names
 from variantgen.outputs.figures import back_ends

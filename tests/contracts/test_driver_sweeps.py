@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from variantgen.families.folders import family_names
-from variantgen.families.load import load_family
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family
 from variantgen.mechanism.rows import Placement
-from variantgen.mechanism.sweep import Sweep, SweepEnd
+from variantgen.mechanism.turn.sweep import Sweep, SweepEnd
 from variantgen.single import answers, asked_quantities, one_variant
 from variantgen.variants.driver_sweep import DriverSweep, driver_sweep
 from variantgen.variants.variant import Variant

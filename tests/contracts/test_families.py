@@ -11,10 +11,10 @@ import pytest
 
 from tests.tools import NIGHTLY
 from variantgen.check.family import check_family
-from variantgen.families.expressions import FamilyExpression
-from variantgen.families.folders import family_names
-from variantgen.families.load import load_family
+from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.families.quantities import parse_quantity
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family
 from variantgen.figure.arrow_faults import inspect_arrows
 from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import Arc, Drawing, Label, Layer

@@ -15,8 +15,8 @@ import pytest
 from variantgen.exam.sheets import answer_variants
 from variantgen.exam.tolerance import Tolerance
 from variantgen.families.asking import read_ask
-from variantgen.families.folders import family_names
-from variantgen.families.load import load_family
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family
 from variantgen.variants.draw import draw
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Measured, to_plain

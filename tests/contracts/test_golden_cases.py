@@ -11,10 +11,10 @@ from math import pi, sqrt
 
 import pytest
 
-from variantgen.families.cases import Case, load_cases
 from variantgen.families.family import Family
-from variantgen.families.folders import family_names
-from variantgen.families.load import load_family
+from variantgen.families.reading.cases import Case, load_cases
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family
 
 # id: (family, {quantity: exact value in printed units})
 GOLDEN: dict[str, tuple[str, dict[str, float]]] = {

@@ -13,8 +13,8 @@ from tests.methods.forms import FORMS, variants
 from variantgen import single
 from variantgen.mechanism.component import discover
 from variantgen.mechanism.relative import sliding_points
-from variantgen.mechanism.solve import solve
-from variantgen.mechanism.structure import FreePoint, GuidedPoint
+from variantgen.mechanism.solving.solve import solve
+from variantgen.mechanism.solving.structure import FreePoint, GuidedPoint
 
 NOTHING_ELSE = {"cli", "errors", "version"}
 SOLVING = NOTHING_ELSE | {
@@ -84,8 +84,12 @@ def parts(modules: set[str]) -> set[str]:
 def test_list_checks_no_family_of_the_catalogue() -> None:
     own, packages = loaded(["list"])
     assert parts(own) <= NOTHING_ELSE | {"exam", "families", "letters", "limits", "resources", "tables", "wording"}
-    assert {name for name in own if name.startswith("exam.")} == {"exam.kept_work", "exam.wanted_work"}
-    assert "families.load" not in own
+    assert {name for name in own if name.startswith("exam.")} == {
+        "exam.work",
+        "exam.work.kept_work",
+        "exam.work.wanted_work",
+    }
+    assert "families.reading.load" not in own
     assert not packages
 
 

@@ -10,10 +10,10 @@ import pytest
 
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Family
-from variantgen.families.folders import family_names
-from variantgen.families.load import load_family
 from variantgen.families.nice import hand_friendly
 from variantgen.families.quantities import Quantity
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.figure.build import statement_figure
 from variantgen.figure.faults import figure_faults

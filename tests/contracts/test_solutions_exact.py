@@ -9,9 +9,9 @@ import pytest
 from variantgen.algebra.expression import Value
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Family, Form
-from variantgen.families.folders import family_names
-from variantgen.families.load import load_family
 from variantgen.families.quantities import Quantity, parse_quantity
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.agreement import AGREES, deviation

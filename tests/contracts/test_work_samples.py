@@ -1,6 +1,6 @@
 """The kept samples of work are those of the catalogue as it is, and are used for nothing else.
 
-After a change of a family or of a method: ``python -m variantgen.exam.work_samples`` makes them anew.
+After a change of a family or of a method: ``python -m variantgen.exam.work.work_samples`` makes them anew.
 """
 
 from __future__ import annotations
@@ -9,17 +9,17 @@ from collections import Counter
 
 import pytest
 
-from variantgen.exam import work_samples
 from variantgen.exam.answer_tolerances import AnswerTolerances
-from variantgen.exam.kept_work import KEPT, WorkSample
 from variantgen.exam.tolerance import Tolerance
-from variantgen.exam.work_samples import kept_forms, kept_line, work_sample
+from variantgen.exam.work import work_samples
+from variantgen.exam.work.kept_work import KEPT, WorkSample
+from variantgen.exam.work.work_samples import kept_forms, kept_line, work_sample
 from variantgen.families.asking import read_ask
-from variantgen.families.load import load_family
+from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.variants.examined import examined
 
-MADE_BY = "stale: run  python -m variantgen.exam.work_samples"
+MADE_BY = "stale: run  python -m variantgen.exam.work.work_samples"
 LINES = KEPT.read_text("utf-8").splitlines()[1:-1]
 SOME = [
     "arc_yoke",

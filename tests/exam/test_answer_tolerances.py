@@ -21,8 +21,8 @@ from variantgen.exam.exam_file import read_exam
 from variantgen.exam.roster import Student, numbered
 from variantgen.exam.tolerance import Tolerance
 from variantgen.families.asking import read_ask
-from variantgen.families.draw_rules import frame
-from variantgen.families.load import load_family
+from variantgen.families.parameters.draw_rules import frame
+from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.variants.distractors import distances, wrong_answers
 from variantgen.variants.draw import draw

@@ -16,8 +16,8 @@ from variantgen.cli import main
 from variantgen.exam.roster import numbered
 from variantgen.exam.sheets import solve_all
 from variantgen.families.asking import read_ask
-from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
+from variantgen.families.reading.load import load_family
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.hand.confirmation import UnconfirmedError, confirm_answers
 from variantgen.variants.attempts import VerificationError

@@ -14,11 +14,11 @@ from variantgen.algebra.name import Name
 from variantgen.errors import InputError
 from variantgen.exam.allocation import ProblemSampler
 from variantgen.exam.exam_file import Exam, parse_exam
-from variantgen.exam.fairness import band_of, shortages, uneven_pools
-from variantgen.exam.kept_work import WorkSample
 from variantgen.exam.packing import pack, unpack
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
+from variantgen.exam.work.fairness import band_of, shortages, uneven_pools
+from variantgen.exam.work.kept_work import WorkSample
 from variantgen.families.quantities import motion_order
 from variantgen.methods.compose import solution
 from variantgen.methods.hand.work import Work, work_of

@@ -15,7 +15,7 @@ from variantgen.exam.exam_file import parse_exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
 from variantgen.families.asking import read_ask
-from variantgen.families.load import load_family, parse_family
+from variantgen.families.reading.load import load_family, parse_family
 from variantgen.families.restrict import restrict
 from variantgen.resources import catalog_dir
 from variantgen.tables import read_toml

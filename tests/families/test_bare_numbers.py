@@ -13,8 +13,8 @@ import pytest
 from variantgen.cli import main
 from variantgen.errors import InputError
 from variantgen.exam.exam_file import read_exam
-from variantgen.families.cases import load_cases
-from variantgen.families.load import load_family, read_family
+from variantgen.families.reading.cases import load_cases
+from variantgen.families.reading.load import load_family, read_family
 from variantgen.resources import catalog_dir
 
 EXAM = 'schema = 1\nlanguage = "en"\ntitle = "T"\nseed = 1\n[[problem]]\n'

@@ -11,8 +11,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from variantgen.errors import InputError
-from variantgen.families.expressions import parse
-from variantgen.families.units import UNITS, parse_value
+from variantgen.families.parameters.expressions import parse
+from variantgen.families.parameters.units import UNITS, parse_value
 
 DIMENSIONS = {"OA": (1, 0), "phi": (0, 0), "omega": (0, -1)}
 

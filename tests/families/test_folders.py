@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from variantgen.cli import main
-from variantgen.families.folders import VARIABLE, family_folders
+from variantgen.families.reading.folders import VARIABLE, family_folders
 from variantgen.resources import folder_hash
 from variantgen.skeletons import new_family
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pickle
 
 from variantgen.families.asking import read_ask
-from variantgen.families.load import load_family
+from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
 
 

@@ -14,13 +14,13 @@ from variantgen.errors import InputError
 from variantgen.exam.sheets import answer_variants
 from variantgen.exam.tolerance import Tolerance
 from variantgen.families.asking import check_ask, read_ask
-from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity, split_name
+from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.figure.build import statement_figure
 from variantgen.finished.verify import independent
 from variantgen.mechanism.scene import Scene
-from variantgen.mechanism.solve import solve
+from variantgen.mechanism.solving.solve import solve
 from variantgen.outputs.single.explanation import explain
 from variantgen.single import answers, one_variant
 from variantgen.testing.linkages import four_bar, sleeve_on_crank, slider_crank, spool, wheel

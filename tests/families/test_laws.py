@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 
 from variantgen.cli import main
 from variantgen.errors import InputError
-from variantgen.families.expressions import parse
-from variantgen.families.load import read_family
-from variantgen.mechanism.solve import solve
+from variantgen.families.parameters.expressions import parse
+from variantgen.families.reading.load import read_family
+from variantgen.mechanism.solving.solve import solve
 
 SMOOTH = [
     "3 * t**2 - t / 4 + 2",

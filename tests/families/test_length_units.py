@@ -11,9 +11,9 @@ import pytest
 from variantgen.cli import main
 from variantgen.errors import InputError
 from variantgen.families.length_units import round_ratio
-from variantgen.families.load import load_family
+from variantgen.families.parameters.units import UNITS, parse_value
+from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
-from variantgen.families.units import UNITS, parse_value
 from variantgen.outputs.formats import read_exam
 from variantgen.single import answers, one_variant, solution_document
 

@@ -13,7 +13,7 @@ import pytest
 
 from variantgen.cli import main
 from variantgen.errors import InputError
-from variantgen.families.load import load_family
+from variantgen.families.reading.load import load_family
 from variantgen.resources import catalog_dir
 from variantgen.single import one_variant
 

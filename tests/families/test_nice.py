@@ -11,7 +11,7 @@ import pytest
 
 from variantgen.errors import InputError
 from variantgen.families.family import Family
-from variantgen.families.load import load_family, parse_family
+from variantgen.families.reading.load import load_family, parse_family
 from variantgen.families.restrict import restrict
 from variantgen.variants.draw import draw
 

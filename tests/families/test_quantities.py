@@ -12,10 +12,10 @@ from variantgen.errors import InputError
 from variantgen.exam.sheets import answer_variants
 from variantgen.exam.tolerance import Tolerance
 from variantgen.families.asking import read_ask
-from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
+from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
-from variantgen.mechanism.solve import solve
+from variantgen.mechanism.solving.solve import solve
 from variantgen.outputs.documents.key_content import equation
 from variantgen.outputs.single.explanation import explain
 from variantgen.single import one_variant

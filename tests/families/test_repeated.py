@@ -8,7 +8,7 @@ import pytest
 
 from tests.scene_texts import FREE_CRANK
 from variantgen.errors import InputError, Problem
-from variantgen.families.load import read_family
+from variantgen.families.reading.load import read_family
 
 FORM = '[forms.f%d]\ndrivers = [{ rotation = { body = "OA", omega = %d } }]\n'
 

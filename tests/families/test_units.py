@@ -11,7 +11,7 @@ import pytest
 
 from variantgen import answers, draw, load_family
 from variantgen.cli import main
-from variantgen.families.units import UNITS, parse_value, unit
+from variantgen.families.parameters.units import UNITS, parse_value, unit
 
 SCENE = """
 length_unit = "ft"

@@ -10,9 +10,9 @@ import pytest
 
 from variantgen.errors import InputError
 from variantgen.families.family import Form
-from variantgen.families.folders import family_names
-from variantgen.families.load import load_family
 from variantgen.families.quantities import Quantity, parse_quantity
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family
 from variantgen.figure.drawing import Arc, Drawing, Layer, Path
 from variantgen.figure.sketch import DOT
 from variantgen.mechanism.motion import Motion

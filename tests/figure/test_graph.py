@@ -14,8 +14,8 @@ from variantgen.errors import InputError
 from variantgen.exam.content import Content
 from variantgen.exam.roster import numbered
 from variantgen.exam.solution_figures import CURVE
-from variantgen.families.load import load_family
 from variantgen.families.rate_graphs import grid_of, with_graph
+from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.families.sketches import with_sketch
 from variantgen.figure.drawing import BOLD

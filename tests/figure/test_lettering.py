@@ -9,9 +9,9 @@ from dataclasses import replace
 
 import pytest
 
-from variantgen.families.folders import family_names
-from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family
 from variantgen.figure import glyphs
 from variantgen.figure.build import statement_figure
 from variantgen.figure.glyphs import KERNING, TABLE

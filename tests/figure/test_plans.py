@@ -14,7 +14,7 @@ import pytest
 
 from tests.figure.reading import FORMS, arrows, has_arrow, variants_of, view_drawings
 from variantgen.errors import InputError
-from variantgen.families.units import unit
+from variantgen.families.parameters.units import unit
 from variantgen.figure.drawing import THIN, Drawing, Layer, Path
 from variantgen.figure.faults import inspect_labels
 from variantgen.figure.motion.motion_data import motion_data

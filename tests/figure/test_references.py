@@ -13,9 +13,9 @@ from pathlib import Path
 import pytest
 
 from tests.figure.transcript import transcript
-from variantgen.families.folders import family_names
-from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family
 from variantgen.figure.build import statement_figure
 from variantgen.variants.draw import FamilySampler as Draws
 from variantgen.variants.variant import solve_variants

@@ -11,9 +11,9 @@ from hypothesis import strategies as st
 
 from variantgen.exam.marking_policy import CAUSES
 from variantgen.exam.sheets import Answer
-from variantgen.families.load import load_family
+from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import split_name
-from variantgen.families.units import unit
+from variantgen.families.reading.load import load_family
 from variantgen.marking.diagnosis.causes import Cause, Comparisons, cause_of
 from variantgen.marking.diagnosis.consequences import confirms
 from variantgen.marking.key import is_right

@@ -13,8 +13,8 @@ import pytest
 from tests.marking.test_marks import Mark, acceleration, built, key, long, mark, order, parameters
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Answer
+from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import split_name
-from variantgen.families.units import unit
 from variantgen.marking.class_statistics import Advice, class_facts
 from variantgen.marking.diagnosis.causes import Cause
 from variantgen.marking.marks import Marked, MarkedAnswer, StudentTotal, Verdict

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from variantgen.families.units import unit
+from variantgen.families.parameters.units import unit
 from variantgen.marking.typed_number import LONGEST, read_number
 
 

@@ -24,8 +24,8 @@ from variantgen.mechanism.joints.guide import Guide
 from variantgen.mechanism.joints.pivot import Pivot
 from variantgen.mechanism.outcome import Outcome
 from variantgen.mechanism.scene import Scene
-from variantgen.mechanism.solve import solve
-from variantgen.mechanism.structure import analyse
+from variantgen.mechanism.solving.solve import solve
+from variantgen.mechanism.solving.structure import analyse
 
 
 def dyad(picture: complex, phi: object = 1.0) -> Scene:

@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from variantgen.mechanism.closed_form import (
+from variantgen.mechanism.solving.closed_form import (
     MOST_DENOMINATOR,
     MOST_NUMERATOR,
     MOST_PRODUCT,

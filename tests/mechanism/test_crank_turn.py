@@ -11,7 +11,7 @@ import pytest
 
 from variantgen.errors import InputError
 from variantgen.families.asking import read_ask
-from variantgen.families.load import read_family
+from variantgen.families.reading.load import read_family
 from variantgen.outputs.single.explanation import explain
 from variantgen.single import one_variant
 from variantgen.variants.only_variant import only_variant

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from tests.solved_cases import every_case
-from variantgen.families.cases import Case
 from variantgen.families.family import Family
 from variantgen.families.quantities import parse_quantity
-from variantgen.mechanism.dense import DenseSystem
+from variantgen.families.reading.cases import Case
 from variantgen.mechanism.motion import Motion
+from variantgen.mechanism.solving.dense import DenseSystem
 
 CASES = every_case()
 

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.outcome import Outcome
-from variantgen.mechanism.solve import solve
+from variantgen.mechanism.solving.solve import solve
 from variantgen.testing.linkages import four_bar, slider_crank
 
 

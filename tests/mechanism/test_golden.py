@@ -17,7 +17,7 @@ from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.mechanism.joints.pivot import Pivot
 from variantgen.mechanism.relative import relative_motion
 from variantgen.mechanism.scene import Scene
-from variantgen.mechanism.solve import solve
+from variantgen.mechanism.solving.solve import solve
 from variantgen.testing.linkages import four_bar, sleeve_on_crank, slider_crank, spool, wheel
 
 

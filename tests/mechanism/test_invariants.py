@@ -11,8 +11,8 @@ from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.relative import relative_motion
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.scene import Scene
-from variantgen.mechanism.solve import solve
-from variantgen.mechanism.verify import invariants, recompute
+from variantgen.mechanism.solving.solve import solve
+from variantgen.mechanism.verification.verify import invariants, recompute
 from variantgen.testing import (
     centre_consistent,
     coriolis_direction,

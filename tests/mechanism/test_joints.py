@@ -33,8 +33,8 @@ from variantgen.mechanism.joints.rope import Bend, Rope
 from variantgen.mechanism.joints.slot import Slot
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.scene import Scene
-from variantgen.mechanism.solve import solve
-from variantgen.mechanism.verify import invariants, recompute
+from variantgen.mechanism.solving.solve import solve
+from variantgen.mechanism.verification.verify import invariants, recompute
 
 RATES = st.floats(-5, 5).filter(lambda x: abs(x) > 0.01)
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from variantgen.families.load import load_family
+from variantgen.families.reading.load import load_family
 from variantgen.mechanism.motion import Motion
-from variantgen.mechanism.revolution import can_revolve
+from variantgen.mechanism.turn.revolution import can_revolve
 from variantgen.single import one_variant
 from variantgen.variants.draw import draw
 from variantgen.variants.variant import Variant, solve_variants

@@ -13,7 +13,6 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import connected_components, maximum_bipartite_matching
 
 from variantgen.errors import InputError
-from variantgen.mechanism.blocks import triangular_blocks
 from variantgen.mechanism.constructions.coordinates import Coordinates
 from variantgen.mechanism.constructions.polar import Polar
 from variantgen.mechanism.drivers.rotation import Rotation
@@ -24,9 +23,10 @@ from variantgen.mechanism.joints.slot import Slot
 from variantgen.mechanism.joints.translation import Translation
 from variantgen.mechanism.outcome import Outcome
 from variantgen.mechanism.scene import Scene
-from variantgen.mechanism.solve import solve
-from variantgen.mechanism.structure import analyse
-from variantgen.mechanism.verify import recompute
+from variantgen.mechanism.solving.blocks import triangular_blocks
+from variantgen.mechanism.solving.solve import solve
+from variantgen.mechanism.solving.structure import analyse
+from variantgen.mechanism.verification.verify import recompute
 from variantgen.testing.linkages import four_bar, sleeve_on_crank, slider_crank, spool, wheel
 
 FOUR_BAR = four_bar(0.2, 0.6, 0.5, 0.7, 1.0, 2.0, 3.0)

@@ -14,9 +14,9 @@ from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.mechanism.joints.pivot import Pivot
 from variantgen.mechanism.joints.slot import Slot
 from variantgen.mechanism.scene import Scene
-from variantgen.mechanism.solve import solve
-from variantgen.mechanism.structure import analyse
-from variantgen.mechanism.sweep import Sweep, SweepEnd, sweep
+from variantgen.mechanism.solving.solve import solve
+from variantgen.mechanism.solving.structure import analyse
+from variantgen.mechanism.turn.sweep import Sweep, SweepEnd, sweep
 from variantgen.testing.linkages import four_bar, slider_crank, wheel
 
 

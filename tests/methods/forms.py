@@ -7,9 +7,9 @@ from functools import cache
 from variantgen.errors import InputError
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Form
-from variantgen.families.folders import family_names
-from variantgen.families.load import load_family
 from variantgen.families.quantities import Quantity
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.by_groups.answers import answer

@@ -5,8 +5,8 @@ from __future__ import annotations
 from decimal import Decimal
 
 from variantgen.algebra.expression import Value
-from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
+from variantgen.families.reading.load import load_family
 from variantgen.methods.compose import work_out
 from variantgen.methods.linkage.problem import task_of
 from variantgen.methods.solution.book import Book

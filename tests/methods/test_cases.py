@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from tests.solved_cases import every_case, task
-from variantgen.families.cases import Case
 from variantgen.families.family import Family
+from variantgen.families.reading.cases import Case
 from variantgen.methods.compose import work_out
 from variantgen.methods.solution.book import Book
 

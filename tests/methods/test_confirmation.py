@@ -10,7 +10,7 @@ import pytest
 from tests.methods.damaged import damage_formulas
 from variantgen.algebra.expression import Constant, Expression, Raised, Ratio, SquareRoot, Times, Total, Value
 from variantgen.families.asking import read_ask
-from variantgen.families.load import load_family
+from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.methods import compose
 from variantgen.methods.agreement import confirm

@@ -9,7 +9,7 @@ import pytest
 from tests.methods.forms import answers, exact
 from tests.methods.test_listings import listing, run
 from variantgen.families.asking import read_ask
-from variantgen.families.load import load_family
+from variantgen.families.reading.load import load_family
 from variantgen.methods.agreement import AGREES, deviation
 from variantgen.methods.coordinates import coordinates
 from variantgen.methods.linkage.problem import Task, task_of

@@ -18,8 +18,8 @@ from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.values import parts
 from variantgen.families.family import Form
-from variantgen.families.folders import family_names
-from variantgen.families.load import load_family, parse_family
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family, parse_family
 from variantgen.families.restrict import restrict
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.linkage.problem import Task, task_of

@@ -12,7 +12,7 @@ import pytest
 from variantgen.algebra.name import Name
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Family
-from variantgen.families.load import load_family
+from variantgen.families.reading.load import load_family
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import Task, task_of
 from variantgen.methods.steps.step import Derived, EquationLine, Sentence, Solution

@@ -9,8 +9,8 @@ from tests.methods.given_data import sentences, steps
 from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.values import parts
-from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
+from variantgen.families.reading.load import load_family
 from variantgen.methods.compose import solution
 from variantgen.methods.graphical.vector_chain import chain_of
 from variantgen.methods.linkage.problem import task_of

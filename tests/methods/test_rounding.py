@@ -11,7 +11,7 @@ from variantgen.algebra.linear import LinearSolution
 from variantgen.algebra.name import Name
 from variantgen.algebra.vectorised import Operations
 from variantgen.families.asking import read_ask
-from variantgen.families.load import load_family
+from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.methods.compose import solution
 from variantgen.methods.hand.repeatable_calculation import RepeatableCalculation

@@ -6,9 +6,9 @@ import pytest
 
 from variantgen.algebra.name import Name
 from variantgen.families.asking import read_ask
-from variantgen.families.folders import family_names
-from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import task_of

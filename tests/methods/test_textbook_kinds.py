@@ -13,8 +13,8 @@ import pytest
 
 from variantgen.errors import InputError
 from variantgen.families.asking import read_ask
+from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import motion_order, split_name
-from variantgen.families.units import unit
 from variantgen.methods import compose
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import task_of

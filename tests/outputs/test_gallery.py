@@ -13,7 +13,7 @@ import pytest
 
 from tests.pdf_text import page_texts
 from variantgen.cli import main
-from variantgen.families.load import load_family
+from variantgen.families.reading.load import load_family
 from variantgen.outputs.gallery import GalleryRequest, write_gallery
 
 FAMILIES = ["four_bar", "rolling_wheel"]

@@ -8,10 +8,12 @@ import json
 import re
 import shlex
 import shutil
+import threading
 import zipfile
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import Any
 
 import pytest
 from playwright.sync_api import expect
@@ -23,6 +25,7 @@ from tests.studio.test_pages import barriers
 from variantgen.cli import main
 from variantgen.exam.manifest import Manifest, read_manifest
 from variantgen.studio.app import make_app
+from variantgen.studio.marking.marked import MarkedBuild
 from variantgen.studio.studio import Studio
 from variantgen.studio.workspace import Workspace
 
@@ -104,11 +107,19 @@ def paste_class(window: Visit) -> None:
     page.get_by_text("The class list is written.").wait_for()
 
 
-def build_class(window: Visit) -> Path:
-    """The build of the class."""
-    window.open("/exam/build").get_by_role("button", name="Build", exact=True).click()
-    expect(window.page.locator("[data-build]")).to_have_count(1, timeout=90_000)
+def build_class(window: Visit, by_hand: Path) -> Path:
+    """The build of the class, downloaded whole: file by file what the command that the page shows builds."""
+    page = window.open("/exam/build")
+    command = page.locator("#command").inner_text()
+    page.get_by_role("button", name="Build", exact=True).click()
+    expect(page.locator("[data-build]")).to_have_count(1, timeout=90_000)
     [built] = (window.folder / "builds").iterdir()
+    with page.expect_download() as download:
+        page.locator("a[href$='all.zip']").click()
+    packed = zipfile.ZipFile(download.value.path())
+    downloaded = {name.partition("/")[2]: packed.read(name) for name in packed.namelist()}
+    assert downloaded.keys() == {"grading.xlsx", "key.csv", "key.xlsx", "manifest.json"}
+    assert downloaded == by_command(command, by_hand)
     return built
 
 
@@ -127,7 +138,7 @@ def test_a_class_of_108_goes_the_whole_way(visit: Callable[..., Visit], tmp_path
     """A roster pasted, an exam built, a class marked; the marks are those of the command."""
     window = visit(CLASS)
     paste_class(window)
-    built = build_class(window)
+    built = build_class(window, tmp_path / "built")
     record = read_manifest(built)
     page = window.open("/exam/mark")
     page.locator("#file").set_input_files([{"name": "quiz.csv", "mimeType": "text/csv", "buffer": answers_of(record)}])
@@ -152,6 +163,11 @@ def test_a_class_of_108_goes_the_whole_way(visit: Callable[..., Visit], tmp_path
     page.get_by_text("Points rise for 20, fall for 0; other grades: 0.").wait_for()
     page.get_by_role("button", name="Use these rules").click()
     page.get_by_text("The rules are written.").wait_for()
+    page.locator("#toast").get_by_role("button", name="Undo").click()  # the undo of the exam, from another page, too
+    expect(page.locator("#redo")).to_have_attribute("aria-label", "Redo: rules of marking")
+    window.open("/exam/choose").locator("#redo").click()
+    page.wait_for_url("**/exam/mark?*")
+    page.get_by_text("Done again: rules of marking").wait_for()
     page.get_by_role("button", name="Write the marks").click()
     page.get_by_text("The marks are written.").wait_for(timeout=60_000)
     result = window.folder / "marks" / built.name / "result"
@@ -183,11 +199,16 @@ def test_doubtful_readings_are_decided(
     code = scan_exam.code(1)
     found = shown(asking, code=code)
     assert found.count('class="doubtrow"') == 1 and "a faint mark" in found
-    assert told == [{"build": BUILD, "file": "My scan.pdf", "done": n, "total": 2} for n in (1, 2)]
+    assert told[0]["exam"] == "exam"  # that a file was brought
+    assert told[1:] == [{"build": BUILD, "file": "My scan.pdf", "done": n, "total": 2} for n in (1, 2)]
     # What it may say, what that would be worth, how dark the bubble is, what the student has at least and at most.
     assert re.findall(r'data-reading="([^"]*)"', found) == ["775", "77", "-"]
     assert found.count("digit 3: 5") == 1 and 10 < int(re.search(r"(\d+) %</span>", found)[1]) < 50  # type: ignore[index]
     assert re.search(r"<strong>8–9 <small>of 9", found)
+    rules = {"problem_step": "0.75"}  # 8 of 8 are 8.25, which is more than there are; 1 of 1 is 0.75
+    asking.post(f"/exam/mark/policy?build={BUILD}", {"fields": rules, "use": True})
+    assert re.search(r"<strong>8–8.75 <small>of 9", shown(asking, code=code))
+    asking.post("/exam/undo", {"version": asking.get("/exam/state").json()["version"]})
     listed = asking.get(f"/exam/mark/list?build={BUILD}&lang=ru").text
     assert (
         "Не прочитаны страницы: 1" in listed and "My scan.pdf, страница 2" in listed and "код листа не виден" in listed
@@ -214,6 +235,42 @@ def test_doubtful_readings_are_decided(
     [row] = [row for row in marks_csv if row["code"] == code and row["quantity"] == "v_O"]
     assert row["verdict"] == "right"
     assert asking.get(f"/exam/mark/sheet?build={BUILD}&code={code}&kind=solution").json()["pages"] >= 1
+
+
+def test_reading_scans_is_stopped(
+    asking: Asking, scan_exam: Built, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """After a page; the file is in the bin, and comes back by undo."""
+    marked: list[MarkedBuild] = []
+    made = MarkedBuild.__init__
+
+    def noted(own: MarkedBuild, *given: Any) -> None:
+        made(own, *given)
+        marked.append(own)
+
+    monkeypatch.setattr(MarkedBuild, "__init__", noted)
+    answers: list[Answer] = []
+    stop = threading.Thread(target=lambda: answers.append(asking.post(f"/exam/mark/stop?build={BUILD}", {})))
+
+    def told(_: object, event: str, **data: object) -> None:
+        if event == "scan" and data["done"] == 1 and not answers:
+            stop.start()
+            assert marked[0].stopping.wait(20)
+
+    monkeypatch.setattr("variantgen.studio.events.Events.tell", told)
+    scan_exam.pages[0].save(tmp_path / "scan.pdf", resolution=150, save_all=True, append_images=scan_exam.pages[1:2])
+    assert bring(asking, (tmp_path / "scan.pdf").read_bytes(), "scan.pdf").status == 200
+    answer = asking.get(f"/exam/mark/list?build={BUILD}")
+    assert answer.status == 400 and "stopped" in answer.text
+    stop.join(20)
+    assert answers[0].json()["files"] == 1
+    listed = asking.get(f"/exam/mark/list?build={BUILD}").text
+    assert "Removed: 1" in listed and "Handed in: 0 of 3" in listed
+    state = asking.get("/exam/state").json()
+    assert state["undo"] == "file scan.pdf removed"
+    place = asking.post("/exam/undo", {"version": state["version"]}).json()["place"]
+    assert place == {"pages": ["mark"], "address": f"/exam/mark?build={BUILD}#"}
+    assert "Removed: 1" not in asking.get(f"/exam/mark/list?build={BUILD}").text
 
 
 def test_typed_answers_stand_before_tables_and_are_taken_back(asking: Asking, course: Path, scan_exam: Built) -> None:

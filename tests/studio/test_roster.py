@@ -7,6 +7,7 @@ import re
 import zipfile
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
+from typing import Any
 
 import openpyxl
 import pytest
@@ -88,6 +89,33 @@ def test_a_pasted_table_becomes_the_class(visit: Callable[..., Visit]) -> None:
     window.page.set_viewport_size({"width": 360, "height": 740})
     assert page.evaluate("document.documentElement.scrollWidth") <= 360
     assert window.complaints == []
+
+
+def paste(page: Any, table: str) -> None:
+    page.get_by_role("button", name="Paste a table").click()
+    page.get_by_role("textbox").fill(table)
+    page.get_by_role("button", name="Read").click()
+
+
+def test_two_windows_paste_and_undo_leads_to_the_list(visit: Callable[..., Visit]) -> None:
+    """Pasted tables of one name are told apart by who stands in them; what one window uses the other shows at once."""
+    first, second = visit(), visit()
+    mine, theirs = first.open("/exam/roster"), second.open("/exam/roster")
+    paste(mine, "name,id\nAnn Lee,1\nBo Ray,2")
+    mine.get_by_role("button", name="Use: 2").wait_for()
+    paste(theirs, "name,id\nCy Fox,7\nDi Orr,8\nEd Poe,9")
+    theirs.get_by_role("button", name="Use: 3").wait_for()
+    mine.get_by_role("button", name="Use: 2").click()
+    expect(mine.locator("#overtaken")).to_contain_text("(3\N{NO-BREAK SPACE}students: Cy Fox, Di Orr…)")
+    expect(mine.locator("#overtaken")).to_contain_text("(2\N{NO-BREAK SPACE}students: Ann Lee, Bo Ray…)")
+    mine.locator("#overtaken").get_by_role("button").nth(1).click()  # theirs
+    mine.get_by_role("button", name="Use: 3").click()
+    expect(theirs.locator("[data-under=roster]")).to_have_text("3\N{NO-BREAK SPACE}students")
+    other = second.open("/exam/choose")
+    other.locator("#undo").click()
+    other.wait_for_url("**/exam/roster")
+    other.get_by_text("Taken back: class list of 3").wait_for()
+    expect(mine.locator("[data-under=roster]")).to_have_text("no roster")
 
 
 def test_tabs_are_groups_and_columns_are_said_once(client: Asking, folder: Path) -> None:

@@ -11,8 +11,8 @@ import pytest
 from jinja2 import Environment, TemplateSyntaxError
 
 from variantgen.errors import InputError, Problem
-from variantgen.families.folders import family_names
-from variantgen.families.load import load_family
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family
 from variantgen.studio.messages import command_text, error_text, in_language
 from variantgen.studio.words import ASSETS, LANGUAGES
 

@@ -13,8 +13,8 @@ from variantgen.cli.app import main
 from variantgen.errors import InputError
 from variantgen.exam import composed_pools
 from variantgen.families.asking import read_ask
-from variantgen.families.cases import load_cases
-from variantgen.families.load import load_family
+from variantgen.families.reading.cases import load_cases
+from variantgen.families.reading.load import load_family
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import task_of
 from variantgen.methods.steps.step import Sentence

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from variantgen.errors import InputError
-from variantgen.families.load import load_family
+from variantgen.families.reading.load import load_family
 from variantgen.synthesis.recognition import structures_of
 from variantgen.synthesis.structures import code, is_textbook, parse_code, structures, textbook_structures
 

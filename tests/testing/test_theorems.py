@@ -14,7 +14,7 @@ from variantgen import testing
 from variantgen.errors import InputError, ToolMissingError
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.scene import Scene
-from variantgen.mechanism.solve import solve
+from variantgen.mechanism.solving.solve import solve
 from variantgen.testing import motion_of
 from variantgen.testing.linkages import four_bar, sleeve_on_crank, slider_crank, wheel
 from variantgen.variants.variant import Variant

@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from variantgen.families.asking import read_ask
-from variantgen.families.load import load_family
+from variantgen.families.reading.load import load_family
 from variantgen.variants.distinct import TRIES, DistinctDraws, TooFewError, assign_distinct
 from variantgen.variants.draw import draw
 from variantgen.variants.printed_data import max_distinct_problems

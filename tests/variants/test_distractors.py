@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from variantgen.families.asking import read_ask
-from variantgen.families.draw_rules import frame
-from variantgen.families.load import load_family
+from variantgen.families.parameters.draw_rules import frame
+from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.variants.distractors import distances, wrong_answers
 from variantgen.variants.draw import draw

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from variantgen.families.load import load_family
+from variantgen.families.reading.load import load_family
 from variantgen.variants.draw import draw
 
 # Drawn before hand-friendly variants existed, by the keys ("before", i, 1): form, sense, turns, attempt, values.

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from variantgen.errors import InputError
-from variantgen.mechanism.sweep import SweepEnd
+from variantgen.mechanism.turn.sweep import SweepEnd
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.driver_sweep import DriverSweep, driver_sweep
 

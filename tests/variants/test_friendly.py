@@ -7,9 +7,9 @@ from math import inf, nan, pi, sqrt
 import numpy as np
 import pytest
 
-from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
-from variantgen.mechanism.solve import solve
+from variantgen.families.reading.load import load_family
+from variantgen.mechanism.solving.solve import solve
 from variantgen.variants.draw import draw
 from variantgen.variants.friendly import are_hand_friendly, friendly_answers
 from variantgen.variants.variant import solve_variants

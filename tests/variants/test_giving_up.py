@@ -18,7 +18,7 @@ from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.exam.exam_file import parse_exam
 from variantgen.exam.roster import numbered
 from variantgen.families.family import Family
-from variantgen.families.load import load_family, parse_family
+from variantgen.families.reading.load import load_family, parse_family
 from variantgen.families.restrict import restrict
 from variantgen.resources import catalog_dir
 from variantgen.tables import read_toml

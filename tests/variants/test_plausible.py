@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from variantgen.errors import InputError
-from variantgen.families.folders import family_names
-from variantgen.families.load import load_family, parse_family
 from variantgen.families.machine import SIZES
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family, parse_family
 from variantgen.families.restrict import restrict
-from variantgen.mechanism.solve import solve
+from variantgen.mechanism.solving.solve import solve
 from variantgen.resources import catalog_dir
 from variantgen.tables import read_toml
 from variantgen.variants.draw import draw

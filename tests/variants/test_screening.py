@@ -10,8 +10,8 @@ import pytest
 
 from variantgen.builder import build
 from variantgen.exam.roster import numbered
-from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
+from variantgen.families.reading.load import load_family
 from variantgen.mechanism.joints.slot import Slot
 from variantgen.variants.attempts import VerificationError
 from variantgen.variants.draw import draw

@@ -7,7 +7,7 @@ import re
 import pytest
 
 from tests.solved_cases import every_case, quantities, variant_of
-from variantgen.families.draw_rules import frame
+from variantgen.families.parameters.draw_rules import frame
 from variantgen.resources import languages
 from variantgen.variants.distractors import wrong_answers
 from variantgen.variants.variant import parameter_arrays, solve_variants

@@ -6,9 +6,9 @@ import xml.etree.ElementTree as ET
 
 import pytest
 
-from variantgen.families.folders import family_names
-from variantgen.families.load import load_family
 from variantgen.families.quantities import parse_quantity
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family
 from variantgen.wording.formula import (
     Equation,
     FormulaList,

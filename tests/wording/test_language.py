@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from variantgen.families.parameters.units import UNITS
 from variantgen.families.quantities import Quantity
-from variantgen.families.units import UNITS
 from variantgen.outputs.documents.sheet_data import points_text
 from variantgen.resources import languages
 from variantgen.wording.formula import Equation, Measured, Symbol, to_plain, to_typst

@@ -6,10 +6,10 @@ import pytest
 from matplotlib import rc_context
 from matplotlib.mathtext import MathTextParser
 
-from variantgen.families.folders import family_names
-from variantgen.families.load import load_family
+from variantgen.families.parameters.units import UNITS
 from variantgen.families.quantities import parse_quantity
-from variantgen.families.units import UNITS
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family
 from variantgen.outputs.single.motion_plot import STYLE
 from variantgen.resources import languages
 from variantgen.wording.formula import Equation, Formula, Index, Measured, Number, Symbol, SymbolProperty, UnitText

@@ -6,7 +6,7 @@ import pytest
 
 from variantgen.algebra.name import Name
 from variantgen.errors import InputError
-from variantgen.families.load import load_family
+from variantgen.families.reading.load import load_family
 from variantgen.wording.formula import to_plain
 from variantgen.wording.language import load_language
 from variantgen.wording.notation import Notation, notation_of

@@ -6,7 +6,7 @@ from math import pi, sqrt
 
 import pytest
 
-from variantgen.families.units import unit
+from variantgen.families.parameters.units import unit
 from variantgen.wording.formula import Equation, Measured, Surd, Symbol, to_plain
 from variantgen.wording.language import load_language
 from variantgen.wording.surds import surd, with_surd

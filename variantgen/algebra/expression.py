@@ -64,9 +64,9 @@ class Value(Expression):
     """A number of the solution: given, or defined by an expression.
 
     ``name`` None is a number that stands for itself (the angle in a projection). ``measure`` is what it measures, as
-    in :mod:`variantgen.families.units`. ``size`` is its natural scale: what is tiny beside it is zero. ``unit`` is the
-    name of a unit other than the usual one of its measure, in which it is given. ``noted`` is room for what was found
-    out of it (:func:`variantgen.methods.geometry.angle_sums.angle_sum`), ``made_of`` for the values in its expression.
+    in :mod:`variantgen.families.parameters.units`. ``size`` is its natural scale: what is tiny beside it is zero.
+    ``unit`` is the name of a unit other than the usual one of its measure, in which it is given. ``noted`` is room for
+    what :func:`variantgen.methods.geometry.angle_sums.angle_sum` found, ``made_of`` for the values in its expression.
     """
 
     __slots__ = ("exact", "expression", "made_of", "measure", "name", "noted", "shown", "size", "unit")

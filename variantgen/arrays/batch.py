@@ -23,15 +23,15 @@ from variantgen.arrays.whole_number import whole_number
 from variantgen.errors import InputError, Problem
 from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.families.asking import Ask, check_ask, read_ask
-from variantgen.families.draw_rules import frame
 from variantgen.families.family import Family, Form
-from variantgen.families.folders import Folders
-from variantgen.families.load import load_family
+from variantgen.families.parameters.draw_rules import frame
 from variantgen.families.quantities import Quantity
+from variantgen.families.reading.folders import Folders
+from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import by_parameter, restrict
 from variantgen.mechanism.motion import ComplexField, Field, Motion
 from variantgen.mechanism.outcome import Outcome
-from variantgen.mechanism.solve import solve
+from variantgen.mechanism.solving.solve import solve
 from variantgen.notebook import display
 from variantgen.variants.attempts import FormSampler, VerificationError
 from variantgen.variants.batch import Attempts, RejectionCounts

@@ -10,7 +10,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.families.units import Unit, unit
+from variantgen.families.parameters.units import Unit, unit
 from variantgen.mechanism.motion import Motion
 
 Columns: TypeAlias = dict[str, NDArray[Any]]

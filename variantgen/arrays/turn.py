@@ -12,9 +12,9 @@ from variantgen.arrays.columns import Columns, as_csv, motion_columns
 from variantgen.arrays.whole_number import whole_number
 from variantgen.errors import InputError, Problem
 from variantgen.families.asking import read_ask
-from variantgen.families.units import unit
+from variantgen.families.parameters.units import unit
 from variantgen.mechanism.motion import Field, Motion
-from variantgen.mechanism.sweep import SweepEnd
+from variantgen.mechanism.turn.sweep import SweepEnd
 from variantgen.notebook import display
 from variantgen.variants.driver_sweep import driver_sweep
 from variantgen.variants.variant import Variant

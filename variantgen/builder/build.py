@@ -19,9 +19,9 @@ from variantgen.builder.workers import PoolWorkers, Workers, local_workers
 from variantgen.errors import InputError
 from variantgen.exam.allocation import HandedOutSheet, ProblemSampler
 from variantgen.exam.exam_file import Exam
-from variantgen.exam.fairness import shortages, uneven_pools
 from variantgen.exam.roster import Student
 from variantgen.exam.student_order import in_order
+from variantgen.exam.work.fairness import shortages, uneven_pools
 from variantgen.outputs.files.folder import check_free, terminable, whole_folder, writing
 from variantgen.outputs.files.records import RECORDS, write_records
 from variantgen.outputs.formats import STUDENTS_PER_PART, WholeExam, format_of, known_files, read_exam

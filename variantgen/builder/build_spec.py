@@ -17,7 +17,7 @@ from variantgen.errors import VariantgenError
 from variantgen.exam.allocation import ProblemSampler
 from variantgen.exam.exam_file import Exam
 from variantgen.exam.manifest import made_with
-from variantgen.families.files import family_files
+from variantgen.families.reading.files import family_files
 from variantgen.outputs.formats import parse_exam
 from variantgen.outputs.typst.typesetter import Typesetter, typesetter
 from variantgen.resources import catalog_dir

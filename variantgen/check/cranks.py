@@ -9,8 +9,8 @@ import numpy as np
 from variantgen.check.printed import Fault
 from variantgen.check.statement_reading import StatementReading
 from variantgen.mechanism.motion import Motion
-from variantgen.mechanism.revolution import can_revolve
 from variantgen.mechanism.scene import fixed_points
+from variantgen.mechanism.turn.revolution import can_revolve
 
 _GOES_ROUND = {"crank": True, "rocker": False}
 _REMEDY = "require lengths in [screens] by which it {can}, or call it a link"

@@ -14,13 +14,13 @@ from variantgen.check.report import FormReport, Report, Spread
 from variantgen.check.texts import check_quantities, check_texts
 from variantgen.errors import InputError, VariantgenError
 from variantgen.exam.answer_tolerances import AnswerTolerances
-from variantgen.families.draw_rules import HandFriendly
 from variantgen.families.family import Family, Form
 from variantgen.families.machine import LIMITS
+from variantgen.families.parameters.draw_rules import HandFriendly
 from variantgen.families.quantities import Quantity, parse_quantity
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import Motion
-from variantgen.mechanism.verify import invariants, recompute
+from variantgen.mechanism.verification.verify import invariants, recompute
 from variantgen.single import SINGLE
 from variantgen.variants.batch import MakeScreening, RejectionCounts
 from variantgen.variants.counting import variety

@@ -9,9 +9,9 @@ from variantgen.check.draws import check_form
 from variantgen.check.explained import check_single_scene
 from variantgen.check.report import Report
 from variantgen.check.texts import check_languages
-from variantgen.families.cases import AGREES, load_cases
 from variantgen.families.family import Family
-from variantgen.families.load import load_family
+from variantgen.families.reading.cases import AGREES, load_cases
+from variantgen.families.reading.load import load_family
 from variantgen.mechanism.outcome import Outcome
 
 _NO_CASES = (

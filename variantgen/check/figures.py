@@ -14,7 +14,7 @@ from pathlib import Path
 from variantgen.errors import InputError, Problem
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Family, Form
-from variantgen.families.load import load_family
+from variantgen.families.reading.load import load_family
 from variantgen.figure.build import statement_figure
 from variantgen.mechanism.outcome import Outcome
 from variantgen.outputs.figures import write_whole

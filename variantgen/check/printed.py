@@ -10,8 +10,8 @@ import numpy as np
 
 from variantgen.check.statement_reading import StatementReading, two_points
 from variantgen.families.hints import DIRECTIONS
+from variantgen.families.parameters.units import Unit, unit
 from variantgen.families.quantities import Quantity, quantity_names, split_name
-from variantgen.families.units import Unit, unit
 from variantgen.mechanism.motion import Motion, take_scene
 from variantgen.mechanism.rows import Placement
 from variantgen.variants.variant import Variant

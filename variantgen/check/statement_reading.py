@@ -10,7 +10,7 @@ from decimal import Decimal
 
 from variantgen.check.vocabulary import vocabulary
 from variantgen.families.family import Form
-from variantgen.families.units import UNITS, Unit
+from variantgen.families.parameters.units import UNITS, Unit
 from variantgen.wording.formula import Equation, Formula, Measured, Symbol, letters, to_plain
 from variantgen.wording.language import Language
 from variantgen.wording.statement import Statement

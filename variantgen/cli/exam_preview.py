@@ -48,8 +48,8 @@ def add_students(parser: argparse.ArgumentParser) -> None:
 def exam_file(text: str, folders: tuple[Path, ...]) -> Path | None:
     """The path of an exam file, by a path or the name of a sample; None for a family or a scene."""
     from variantgen.exam.samples import exam_path
-    from variantgen.families.folders import family_names
-    from variantgen.families.load import FAMILY_KEYS
+    from variantgen.families.reading.folders import family_names
+    from variantgen.families.reading.load import FAMILY_KEYS
     from variantgen.tables import read_toml
 
     if text in family_names(folders):
@@ -67,7 +67,7 @@ def exam_file(text: str, folders: tuple[Path, ...]) -> Path | None:
 
 def refuse_exam(arguments: argparse.Namespace, command: str) -> None:
     """Raise InputError where a ``command`` for families is given an exam."""
-    from variantgen.families.folders import family_folders
+    from variantgen.families.reading.folders import family_folders
 
     if exam_file(arguments.family, family_folders(arguments.families)) is None:
         return
@@ -96,7 +96,7 @@ def show_exam(arguments: argparse.Namespace, path: Path) -> None:
     """Print the sheet with its answers, or write its pages; with ``--explain`` the solutions. Raises InputError."""
     from variantgen.builder.preview import one_sheet
     from variantgen.exam.named_families import composing
-    from variantgen.families.folders import family_folders
+    from variantgen.families.reading.folders import family_folders
     from variantgen.outputs.formats import read_exam
     from variantgen.outputs.single.one_sheet import plain_sheet, write_sheet
 

@@ -152,7 +152,7 @@ def wanted_variant(arguments: argparse.Namespace) -> Variant:
 
     Raises InputError where there is none.
     """
-    from variantgen.families.folders import family_folders
+    from variantgen.families.reading.folders import family_folders
     from variantgen.single import one_variant
 
     return one_variant(

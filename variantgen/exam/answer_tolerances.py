@@ -21,8 +21,8 @@ from numpy.typing import NDArray
 
 from variantgen.errors import InputError
 from variantgen.exam.tolerance import Tolerance
-from variantgen.families.draw_rules import frame
 from variantgen.families.family import Form
+from variantgen.families.parameters.draw_rules import frame
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Frame

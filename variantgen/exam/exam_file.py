@@ -19,13 +19,13 @@ from variantgen.exam.notices import Notices, read_notices
 from variantgen.exam.solutions import Solutions, read_solutions
 from variantgen.exam.student_order import NAME, SORTS
 from variantgen.exam.tolerance import Tolerance, read_tolerance, with_floor
-from variantgen.exam.wanted_work import WIDTH, Span, read_fair, read_work
+from variantgen.exam.work.wanted_work import WIDTH, Span, read_fair, read_work
 from variantgen.families.asking import Ask, check_ask, read_ask
 from variantgen.families.family import Family
-from variantgen.families.folders import family_folders
 from variantgen.families.length_units import read_length_unit
-from variantgen.families.load import load_family
 from variantgen.families.method_names import check_methods
+from variantgen.families.reading.folders import family_folders
+from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.families.sketches import with_curves
 from variantgen.limits import LISTED, PROBLEMS

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from contextvars import ContextVar
 from pathlib import Path
 
-from variantgen.families.files import is_file_of_family
+from variantgen.families.reading.files import is_file_of_family
 from variantgen.tables import Table
 
 # Who is told what is being composed, which takes its time; usually nobody.

@@ -21,8 +21,8 @@ from typing import Any
 from variantgen.errors import VariantgenError
 from variantgen.exam.exam_file import Exam
 from variantgen.exam.sheets import Answer, Item
+from variantgen.families.parameters.units import Unit
 from variantgen.families.quantities import Quantity, split_name
-from variantgen.families.units import Unit
 from variantgen.methods.hand.work import Work
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Surd

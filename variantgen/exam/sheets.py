@@ -12,10 +12,10 @@ from variantgen.exam.exam_file import ExamProblem
 from variantgen.exam.roster import Student
 from variantgen.exam.tolerance import Tolerance, places_by_tolerance
 from variantgen.families.asking import Ask, read_ask
+from variantgen.families.parameters.units import Unit
 from variantgen.families.quantities import Quantity, motion_order, recorded
-from variantgen.families.units import Unit
-from variantgen.mechanism.closed_form import square_fractions
 from variantgen.mechanism.motion import Field, Motion
+from variantgen.mechanism.solving.closed_form import square_fractions
 from variantgen.methods.hand.confirmation import confirm_answers
 from variantgen.methods.hand.work import Work
 from variantgen.variants.seeding import digest

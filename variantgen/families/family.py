@@ -9,17 +9,17 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from variantgen.families.draw_rules import HandFriendly, Pose, Screens, TiedValues
-from variantgen.families.expressions import FamilyExpression
 from variantgen.families.figure_hints import FigureHints
-from variantgen.families.laws import Law
 from variantgen.families.machine import Machine
-from variantgen.families.parameter import Parameter
+from variantgen.families.parameters.draw_rules import HandFriendly, Pose, Screens, TiedValues
+from variantgen.families.parameters.expressions import FamilyExpression
+from variantgen.families.parameters.laws import Law
+from variantgen.families.parameters.parameter import Parameter
 from variantgen.families.quantities import Quantity, is_quantity, quantity_names
 from variantgen.mechanism.arithmetic import Real
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.scene import Scene
-from variantgen.mechanism.structure import Plan, analyse
+from variantgen.mechanism.solving.structure import Plan, analyse
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from variantgen.families.expressions import FamilyExpression
+from variantgen.families.parameters.expressions import FamilyExpression
 
 
 @dataclass(frozen=True)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from variantgen.families.expressions import FamilyExpression
 from variantgen.families.family import ComponentTemplate, Form
+from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.constructions.coordinates import Coordinates
 from variantgen.mechanism.constructions.polar import Polar

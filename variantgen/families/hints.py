@@ -10,9 +10,9 @@ from decimal import Decimal
 from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
-from variantgen.families.draw_rules import Comparison, Pose, Screens
-from variantgen.families.expressions import FamilyExpression
 from variantgen.families.figure_hints import AngleMark, DiscMark, FigureHints, LengthMark, RightAngle
+from variantgen.families.parameters.draw_rules import Comparison, Pose, Screens
+from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.limits import MARKS, PARTS
 from variantgen.tables import Table
 

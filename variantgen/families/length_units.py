@@ -15,10 +15,10 @@ from dataclasses import replace
 from decimal import Context, Decimal
 
 from variantgen.errors import InputError, Problem
-from variantgen.families.draw_rules import TiedValues
 from variantgen.families.family import Family, Form
-from variantgen.families.parameter import Parameter
-from variantgen.families.units import LENGTHS, UNITS, Unit
+from variantgen.families.parameters.draw_rules import TiedValues
+from variantgen.families.parameters.parameter import Parameter
+from variantgen.families.parameters.units import LENGTHS, UNITS, Unit
 from variantgen.tables import Table
 
 _CONSTANT = Context(prec=3)

@@ -11,8 +11,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
-from variantgen.families.expressions import FamilyExpression
 from variantgen.families.family import ComponentTemplate, Form
+from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.mechanism.component import field_specs
 
 _RATES = ("v", "a", "omega", "epsilon")

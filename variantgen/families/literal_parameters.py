@@ -8,10 +8,10 @@ from dataclasses import replace
 from decimal import Decimal
 from typing import Any
 
-from variantgen.families.expressions import FamilyExpression, parse
 from variantgen.families.family import ComponentTemplate, Form
-from variantgen.families.parameter import Parameter
-from variantgen.families.units import UNITS
+from variantgen.families.parameters.expressions import FamilyExpression, parse
+from variantgen.families.parameters.parameter import Parameter
+from variantgen.families.parameters.units import UNITS
 
 _SI = {
     "length": "m", "velocity": "m/s", "acceleration": "m/s^2", "angle": "rad", "angular velocity": "rad/s",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from variantgen.errors import InputError, Problem
-from variantgen.families.units import parse_value, unit
+from variantgen.families.parameters.units import parse_value, unit
 from variantgen.tables import Table
 
 LIMITS = {"length": "m", "speed": "m/s", "acceleration": "m/s^2", "omega": "rad/s", "epsilon": "rad/s^2"}

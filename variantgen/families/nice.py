@@ -12,11 +12,11 @@ from decimal import Decimal
 from typing import Any
 
 from variantgen.errors import Problem, nearest
-from variantgen.families.draw_rules import HandFriendly, TiedValues
 from variantgen.families.family import Family, Form
 from variantgen.families.hints import ExpressionReader, read_require
-from variantgen.families.parameter import Parameter
-from variantgen.families.parameters import choose_words, read_parameter
+from variantgen.families.parameters.draw_rules import HandFriendly, TiedValues
+from variantgen.families.parameters.parameter import Parameter
+from variantgen.families.parameters.reading import choose_words, read_parameter
 from variantgen.tables import Table
 
 _USUAL_ANGLES = (30, 45)  # degrees: multiples of these have the sines that everybody knows

@@ -13,9 +13,9 @@ from itertools import product
 from math import gcd
 
 from variantgen.errors import InputError, Problem
-from variantgen.families.draw_rules import TiedValues
 from variantgen.families.family import Family, Form
-from variantgen.families.units import unit
+from variantgen.families.parameters.draw_rules import TiedValues
+from variantgen.families.parameters.units import unit
 
 _TIMES = tuple(map(Decimal, ("0.1", "0.2", "0.25", "0.4", "0.5", "1", "2", "2.5", "4", "5", "10")))  # s
 _MOST = 26  # lines of the grid, zero not counted

@@ -14,10 +14,10 @@ from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.family import Family, Form
 from variantgen.families.length_units import check_length_unit, in_unit
 from variantgen.families.nice import hand_friendly, no_nice_forms
-from variantgen.families.parameter import Parameter
-from variantgen.families.parameters import choose_words
+from variantgen.families.parameters.parameter import Parameter
+from variantgen.families.parameters.reading import choose_words
+from variantgen.families.parameters.units import UNITS, checked, parse_value
 from variantgen.families.rate_graphs import read_from_graph
-from variantgen.families.units import UNITS, checked, parse_value
 
 
 def restrict(

@@ -8,9 +8,9 @@ from decimal import Decimal
 from typing import Any
 
 from variantgen.errors import InputError, Problem, nearest
-from variantgen.families.expressions import FamilyExpression, number
 from variantgen.families.family import ComponentTemplate
-from variantgen.families.units import UNITS, Unit, checked, is_number, parse_value
+from variantgen.families.parameters.expressions import FamilyExpression, number
+from variantgen.families.parameters.units import UNITS, Unit, checked, is_number, parse_value
 from variantgen.mechanism.component import FieldSpec, discover, field_specs
 from variantgen.mechanism.constructions.near import Near
 from variantgen.tables import Table, shown

@@ -15,14 +15,14 @@ from typing import TypeAlias
 import numpy as np
 
 from variantgen.errors import InputError, Problem
+from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import Quantity, split_name
 from variantgen.families.rate_graphs import grid_of
-from variantgen.families.units import unit
 from variantgen.figure.drawing import BOLD, LETTER, MEDIUM, THIN, Drawing, Label, Layer, Line, Path
 from variantgen.figure.lettering import typeset
 from variantgen.figure.sketch import moved
-from variantgen.mechanism.crank_turn import FULL_TURN, crank_turn
 from variantgen.mechanism.motion import Field
+from variantgen.mechanism.turn.crank_turn import FULL_TURN, crank_turn
 from variantgen.variants.variant import Variant, is_speeding_up, solve_variants
 from variantgen.wording.formula import Formula, FormulaList, Measured, Symbol, to_plain
 from variantgen.wording.language import Language

@@ -14,7 +14,7 @@ from variantgen.exam.exam_file import Exam, ExamProblem, with_floors
 from variantgen.exam.manifest import Manifest, RecordedProblem, RecordedSheet
 from variantgen.exam.sheets import Item, Sheet, answer_variants
 from variantgen.exam.solutions import NONE, Solutions
-from variantgen.families.parameter import Parameter
+from variantgen.families.parameters.parameter import Parameter
 from variantgen.outputs.formats import parse_exam
 from variantgen.variants.variant import Variant
 

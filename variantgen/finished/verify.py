@@ -1,7 +1,7 @@
 """Verification of a finished exam from its manifest alone: every answer is computed again by the independent path.
 
 The variants are taken from the manifest; the motion is found by closing the chain of joints anew at moved instants and
-differentiating numerically (:mod:`variantgen.mechanism.verify`), which shares nothing with the solver.
+differentiating numerically (:mod:`variantgen.mechanism.verification.verify`), which shares nothing with the solver.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from variantgen.families.asking import read_ask
 from variantgen.families.quantities import Quantity, motion_order
 from variantgen.finished.restore import Finished
 from variantgen.mechanism.motion import Motion
-from variantgen.mechanism.verify import recompute
+from variantgen.mechanism.verification.verify import recompute
 from variantgen.outputs.files.edited import EDITED, file_hash, is_meant
 from variantgen.outputs.files.folder import file_hashes
 from variantgen.outputs.files.records import KEY, RECORDED, recorded_rows

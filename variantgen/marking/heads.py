@@ -9,7 +9,7 @@ from pathlib import Path
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.exam.roster.worksheet import Worksheet
-from variantgen.families.units import UNITS
+from variantgen.families.parameters.units import UNITS
 from variantgen.limits import TITLE_ROWS
 from variantgen.marking.typed_number import read_number
 from variantgen.resources import languages

@@ -11,8 +11,8 @@ from variantgen.errors import InputError, Problem, nearest
 from variantgen.exam.manifest import Manifest, RecordedProblem
 from variantgen.exam.sheets import Answer
 from variantgen.exam.student_order import base
+from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import split_name
-from variantgen.families.units import unit
 
 _DIRECTIONLESS = Decimal(10) ** 15  # degrees: so large a number has no digits left that tell a direction
 

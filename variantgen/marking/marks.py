@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 from enum import Enum
 from fractions import Fraction
 
-from variantgen.exam.marking_policy import MarkingPolicy, rounded
+from variantgen.exam.marking_policy import MarkingPolicy
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Answer
 from variantgen.families.quantities import Quantity
@@ -23,7 +23,7 @@ from variantgen.marking.diagnosis.plausible_mistakes import OfProblem, mistakes_
 from variantgen.marking.key import Key, is_right
 from variantgen.marking.matching import SIGNS, Correction, Typed, corrections, is_blank, matched
 from variantgen.marking.typed_number import read_number
-from variantgen.marking.worth import worth_of
+from variantgen.marking.worth import sums, worth_of
 
 _COPIED = 3  # answers of a problem that are those of a neighbour's sheet, from which on nothing follows from them
 _DATE = re.compile(r"\d{4}-\d\d-\d\d( |$)")
@@ -286,12 +286,7 @@ def _totals(
             if not 0 <= corrected[number] <= had[number]:
                 why = f"the problem has 0 to {float(had[number]):g} points: it cannot have {float(corrected[number]):g}"
                 left.append(NotMatched(where, f"{number}: {float(given):+g}", why))
-        by_problem = {
-            number: max(min(rounded(points, policy.problem_step), had[number]), Fraction(0))
-            for number, points in corrected.items()
-        }
-        every = sum(had.values(), Fraction(0))
-        points = min(rounded(sum(by_problem.values(), Fraction(0)), policy.total_step), every)
+        by_problem, points = sums(corrected, had, policy)
         handed_in = sum(item.verdict is not Verdict.BLANK for item in own[place])
         waiting = sum(item.waiting for item in own[place])
         grade = policy.grade(points, most)

@@ -11,7 +11,7 @@ import re
 from dataclasses import dataclass
 from functools import cache
 
-from variantgen.families.units import UNITS, Unit, usual_name
+from variantgen.families.parameters.units import UNITS, Unit, usual_name
 from variantgen.resources import languages
 from variantgen.wording.language import load_language
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from variantgen.errors import InputError, Problem
-from variantgen.exam.marking_policy import MarkingPolicy
+from variantgen.exam.marking_policy import MarkingPolicy, rounded
 from variantgen.finished.restore import Finished
 from variantgen.marking.key import Key
 
@@ -48,3 +48,14 @@ def _check_steps(policy: MarkingPolicy, key: Key, worth: Mapping[tuple[int, int]
         if points and step > points
     ]:
         raise InputError(problems)
+
+
+def sums(
+    points: Mapping[int, Fraction], most: Mapping[int, Fraction], policy: MarkingPolicy
+) -> tuple[dict[int, Fraction], Fraction]:
+    """The points of a student by problem, in the steps of the rules and within what each is worth, and their sum."""
+    by_problem = {
+        number: max(min(rounded(own, policy.problem_step), most[number]), Fraction(0)) for number, own in points.items()
+    }
+    total = rounded(sum(by_problem.values(), Fraction(0)), policy.total_step)
+    return by_problem, min(total, sum(most.values(), Fraction(0)))

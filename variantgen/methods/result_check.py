@@ -160,10 +160,11 @@ def _is_new(book: Book, value: Value) -> bool:
 
 
 def _projection(share: Share) -> Value:
-    """The projection of a vector as a value with its arithmetic."""
+    """The projection of a vector as a value with its arithmetic; a given velocity on the line keeps its letter."""
     size = share.term.size
     assert size is not None
     expression = share.size
     if share.sign < 0:
         expression = -expression
-    return Value(None, size.measure, expression.number(True), expression, size.exact)
+    name = share.term.name if expression is size and size.name is None else None
+    return Value(name, size.measure, expression.number(True), expression, size.exact)

@@ -13,8 +13,8 @@ from functools import cached_property
 import numpy as np
 
 from variantgen.algebra.name import ON_LINE, Name
+from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import Quantity, line_ends
-from variantgen.families.units import unit
 from variantgen.mechanism.drivers.extension import Extension
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.linkage.problem import Task

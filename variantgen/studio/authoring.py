@@ -11,7 +11,7 @@ from typing import Any
 from markupsafe import Markup
 
 from variantgen.errors import InputError, Problem
-from variantgen.families.files import CASES, FAMILY
+from variantgen.families.reading.files import CASES, FAMILY
 from variantgen.limits import TOML_BYTES
 from variantgen.studio.documents.document import ConflictError
 from variantgen.studio.documents.journal import version_of
@@ -114,8 +114,8 @@ def _lines(text: str) -> str:
 
 def begin(workspace: Workspace, name: str, start: str) -> None:
     """A new family: a working beginning, or a copy of the family ``start``. Raises InputError."""
-    from variantgen.families.files import family_files
-    from variantgen.families.folders import file_of
+    from variantgen.families.reading.files import family_files
+    from variantgen.families.reading.folders import file_of
     from variantgen.skeletons import new_family
 
     source = file_of(start, (workspace.folder,)) if start else None
@@ -135,7 +135,7 @@ def look(workspace: Workspace, name: str, form: str, seed: int, language: str) -
 
     ``mistakes`` have the file and the line where they are.
     """
-    from variantgen.families.load import load_family
+    from variantgen.families.reading.load import load_family
     from variantgen.single import one_variant
 
     folder = folder_of(workspace, name)

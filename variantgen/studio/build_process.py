@@ -35,7 +35,7 @@ def _built(wanted: dict[str, Any]) -> int:
     """The number of students for whom was built."""
     from variantgen.builder import build
     from variantgen.exam.roster import numbered, read_class
-    from variantgen.families.folders import family_folders
+    from variantgen.families.reading.folders import family_folders
     from variantgen.outputs.formats import read_exam
 
     path, out = Path(wanted["exam"]), Path(wanted["out"])

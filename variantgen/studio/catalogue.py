@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from variantgen.errors import InputError, Problem
-from variantgen.families.files import FAMILY
+from variantgen.families.reading.files import FAMILY
 from variantgen.limits import TOML_BYTES
 from variantgen.resources import catalog_dir
 from variantgen.studio.shipped import shipped_cards
@@ -126,7 +126,7 @@ def _known_cards(name: str, path: Path, workspace: Workspace) -> list[Card]:
 
 def cards_of(name: str, path: Path, workspace: Workspace) -> list[Card]:
     """The cards of a family; of one that cannot be read a card that says why."""
-    from variantgen.families.load import load_family
+    from variantgen.families.reading.load import load_family
 
     common = {"family": name, "version": family_version(path), "own": catalog_dir() not in path.parents}
     try:

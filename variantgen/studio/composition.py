@@ -10,7 +10,7 @@ from markupsafe import Markup
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.asking import read_ask
-from variantgen.families.load import load_family
+from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.studio.catalogue import ONLY, family_files, family_version, form_titles, own_folders
 from variantgen.studio.documents.document import Document

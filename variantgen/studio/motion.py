@@ -14,8 +14,8 @@ from typing import Any
 
 import numpy as np
 
+from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import Quantity, motion_order
-from variantgen.families.units import unit
 from variantgen.figure.curves import curves
 from variantgen.figure.drawing import Layer, Line, Path
 from variantgen.figure.moving import Paper

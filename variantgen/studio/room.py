@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from variantgen.exam.answer_tolerances import AnswerTolerances
-from variantgen.families.draw_rules import frame
+from variantgen.families.parameters.draw_rules import frame
 from variantgen.mechanism.outcome import Outcome
 from variantgen.variants.attempts import FormSampler
 from variantgen.variants.batch import Attempts, RejectionCounts

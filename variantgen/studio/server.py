@@ -133,7 +133,7 @@ def _open(workspace: Workspace, address: str, browser: bool, say: Callable[[str]
 def _listening(port: int | None) -> socket.socket:
     """A socket of this machine alone: at the port, or at the first that is free."""
     for number in [port] if port is not None else [*range(PORT, PORT + _TRIED), 0]:
-        listener = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
+        listener = socket.socket(socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP)  # so asyncio sends at once
         if sys.platform != "win32":  # there it would let two programs have one port
             listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:

@@ -113,8 +113,13 @@ class Studio:
             if changed:
                 self.tell_changed(document, "")
 
+    def note(self, document: Document, words: str, about: dict[str, str], deed: dict[str, str], window: str) -> None:
+        """Note what a window has done to another file than that of an exam, as a step of its undo; tell all."""
+        document.note(words, about, deed)
+        self.tell_changed(document, window)
+
     def tell_changed(self, document: Document, window: str) -> None:
-        """Tell the windows that an exam has another version, and which window has made it."""
+        """Tell the windows that an exam has another version or another last step, and which window has made it."""
         self.events.tell("doc", exam=document.key, version=document.state().version, window=window)
 
     def close(self) -> None:

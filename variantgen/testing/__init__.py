@@ -12,7 +12,7 @@ np.True_
 
 from __future__ import annotations
 
-from variantgen.mechanism.invariants import (
+from variantgen.mechanism.verification.invariants import (
     centre_consistent,
     coriolis_direction,
     equal_projections,

@@ -13,10 +13,10 @@ import numpy as np
 from variantgen.arrays.batch import batch
 from variantgen.errors import InputError, Problem, missing_package
 from variantgen.families.family import Family
-from variantgen.families.load import load_family
+from variantgen.families.reading.load import load_family
 from variantgen.mechanism.constructions.coordinates import Coordinates
 from variantgen.mechanism.scene import Scene
-from variantgen.mechanism.solve import solve
+from variantgen.mechanism.solving.solve import solve
 from variantgen.testing.dyads import chain
 from variantgen.testing.linkages import four_bar, sleeve_on_crank, slider_crank, spool, wheel
 from variantgen.variants.variant import Variant

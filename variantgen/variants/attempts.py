@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.errors import InputError, Problem, VariantgenError
-from variantgen.families.draw_rules import Screens, frame
 from variantgen.families.family import Family, Form
+from variantgen.families.parameters.draw_rules import Screens, frame
 from variantgen.families.quantities import Quantity, motion_order
 from variantgen.mechanism.rows import Frame
-from variantgen.mechanism.solve import add_speeds, solve
+from variantgen.mechanism.solving.solve import add_speeds, solve
 from variantgen.variants.batch import Attempts, MakeScreening, RejectionCounts, joined, starts
 from variantgen.variants.friendly import friendly_answers
 from variantgen.variants.screening import (

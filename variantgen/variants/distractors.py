@@ -21,11 +21,11 @@ from numpy.typing import NDArray
 
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity, motion_order
-from variantgen.families.soundness import demands
+from variantgen.families.reading.soundness import demands
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.relative import relative_motion, sliding_points
 from variantgen.mechanism.rows import Frame, Speeds
-from variantgen.mechanism.solve import Equations, solve
+from variantgen.mechanism.solving.solve import Equations, solve
 from variantgen.variants.screening import repeated
 
 Array = NDArray[np.float64]

@@ -17,7 +17,7 @@ from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import Field, Motion
 from variantgen.mechanism.outcome import Outcome
 from variantgen.mechanism.scene import references
-from variantgen.mechanism.sweep import FULL_TURN, LeadingDriver, Sweep, find_leading_driver, sweep
+from variantgen.mechanism.turn.sweep import FULL_TURN, LeadingDriver, Sweep, find_leading_driver, sweep
 from variantgen.variants.printed_data import given_names
 from variantgen.variants.variant import Variant, solve_variants
 

@@ -9,7 +9,7 @@ import numpy as np
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity, motion_order
-from variantgen.mechanism.solve import solve
+from variantgen.mechanism.solving.solve import solve
 
 _NOTHING = 1e-9  # SI: what is smaller is zero but for rounding
 

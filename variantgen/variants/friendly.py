@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.families.quantities import Quantity
-from variantgen.mechanism.closed_form import TOLERANCE, is_simple, root_of_fraction, square_fractions
 from variantgen.mechanism.motion import Motion
+from variantgen.mechanism.solving.closed_form import TOLERANCE, is_simple, root_of_fraction, square_fractions
 
 _DIGITS = 3
 
@@ -19,7 +19,7 @@ def are_hand_friendly(values: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Whether values are hand-friendly, shape (N,): zero, decimals of at most three digits, or simple roots.
 
     Simple are the roots and thirds that are printed beside their decimals (``40 sqrt(3) / 3``, ``4 / 3``); see
-    :func:`variantgen.mechanism.closed_form.is_simple`.
+    :func:`variantgen.mechanism.solving.closed_form.is_simple`.
     """
     found = _short(values)
     rest = np.flatnonzero(~found)

@@ -6,7 +6,7 @@ from itertools import combinations
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.family import Family, Form
-from variantgen.families.soundness import demands
+from variantgen.families.reading.soundness import demands
 from variantgen.variants.variant import Variant, solve_variants
 
 _ONE_PLACE = 1e-9  # of the size of the mechanism: points nearer than that are one but for rounding

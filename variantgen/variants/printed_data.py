@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from functools import lru_cache
 
 from variantgen.families.family import Form
-from variantgen.families.parameter import Parameter
+from variantgen.families.parameters.parameter import Parameter
 from variantgen.families.quantities import Quantity, motion_order
 from variantgen.variants.variant import Variant
 

@@ -16,14 +16,14 @@ from variantgen.errors import InputError, Problem
 from variantgen.families.family import Form
 from variantgen.families.literal_parameters import with_literal_parameters
 from variantgen.families.quantities import Quantity, motion_order
-from variantgen.families.soundness import demands
+from variantgen.families.reading.soundness import demands
 from variantgen.mechanism.arithmetic import dot
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.relative import sliding_points
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.scene import fixed_points
-from variantgen.mechanism.solve import from_picture, solve
-from variantgen.mechanism.verify import invariants, recompute
+from variantgen.mechanism.solving.solve import from_picture, solve
+from variantgen.mechanism.verification.verify import invariants, recompute
 
 Passed = NDArray[np.bool_]
 Values = Mapping[str, NDArray[np.float64]]

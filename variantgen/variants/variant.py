@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.families.draw_rules import frame
 from variantgen.families.family import Family, Form
+from variantgen.families.parameters.draw_rules import frame
 from variantgen.mechanism.arithmetic import Real
 from variantgen.mechanism.motion import Motion
-from variantgen.mechanism.solve import solve
+from variantgen.mechanism.solving.solve import solve
 from variantgen.notebook import display
 
 

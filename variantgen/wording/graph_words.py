@@ -6,9 +6,9 @@ import re
 from collections.abc import Mapping, Sequence
 
 from variantgen.families.family import Form
+from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import Quantity, split_name
 from variantgen.families.rate_graphs import grid_of
-from variantgen.families.units import unit
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Equation, Formula, Measured, Symbol
 from variantgen.wording.language import Language

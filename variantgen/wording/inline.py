@@ -11,7 +11,7 @@ import re
 from functools import cache
 
 from variantgen.errors import InputError, Problem
-from variantgen.families.units import UNITS
+from variantgen.families.parameters.units import UNITS
 from variantgen.wording.formula import (
     GREEK,
     Formula,

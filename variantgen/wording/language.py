@@ -16,9 +16,9 @@ from functools import cache
 from math import isfinite
 
 from variantgen.algebra.decimals import rounded, rounded_to_digits
+from variantgen.families.parameters.units import Unit
 from variantgen.families.quantities import Quantity, recorded
 from variantgen.families.quantities.kinds import ANGLE_OF
-from variantgen.families.units import Unit
 from variantgen.resources import templates_dir
 from variantgen.tables import read_toml
 from variantgen.wording.formula import GREEK, Index, Number, Quotient, Symbol, SymbolProperty, UnitText

@@ -18,9 +18,9 @@ from variantgen.algebra.expression import (
     Total,
     Variable,
 )
-from variantgen.families.expressions import FamilyExpression, parse
 from variantgen.families.family import Form
-from variantgen.families.units import UNITS, unit
+from variantgen.families.parameters.expressions import FamilyExpression, parse
+from variantgen.families.parameters.units import UNITS, unit
 from variantgen.mechanism.constructions.coordinates import Coordinates
 from variantgen.mechanism.constructions.polar import Polar
 from variantgen.wording.formula import (

@@ -5,8 +5,8 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Sequence
 
+from variantgen.families.parameters.units import Unit
 from variantgen.families.quantities import Quantity
-from variantgen.families.units import Unit
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Equation, Measured, Surd, to_plain
 from variantgen.wording.graph_words import read_off

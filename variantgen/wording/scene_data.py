@@ -8,8 +8,8 @@ from decimal import Decimal
 import numpy as np
 
 from variantgen.families.literal_data import LiteralDatum, literal_data
+from variantgen.families.parameters.units import Unit, unit, unit_of_turning
 from variantgen.families.quantities import Quantity, motion_order
-from variantgen.families.units import Unit, unit, unit_of_turning
 from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Equation, Measured, Symbol, SymbolProperty

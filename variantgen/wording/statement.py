@@ -17,8 +17,8 @@ import numpy as np
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.family import Form
+from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import Quantity
-from variantgen.families.units import unit
 from variantgen.variants.printed_data import given_names, shown_points
 from variantgen.variants.variant import Variant, is_speeding_up, solve_variants
 from variantgen.wording.formula import Equation, Formula, Measured, Symbol, UnitText, letters

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from variantgen.mechanism.closed_form import closed_form, is_simple
+from variantgen.mechanism.solving.closed_form import closed_form, is_simple
 from variantgen.wording.formula import Equation, Relation, Surd
 
 
 def surd(value: float) -> Surd | None:
-    """The root or fraction that a computed value is (see :mod:`variantgen.mechanism.closed_form`), or None.
+    """The root or fraction that a computed value is (see :mod:`variantgen.mechanism.solving.closed_form`), or None.
 
     None also where a root or fraction tells nothing new (0.25, 120) and for forms that help nobody
-    (825/4, 84 sqrt(41)/5): see :func:`variantgen.mechanism.closed_form.is_simple`.
+    (825/4, 84 sqrt(41)/5): see :func:`variantgen.mechanism.solving.closed_form.is_simple`.
     """
     found = closed_form(value)
     return Surd(*found) if found and is_simple(*found) else None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import resource
 import time
 from pathlib import Path
 
@@ -52,6 +53,20 @@ def test_a_run_without_end_is_stopped(tmp_path: Path, monkeypatch: pytest.Monkey
         compiled(tmp_path, r"\loop\iftrue\repeat")
     assert time.monotonic() - start < 30
     assert not (tmp_path / "one.pdf").exists()
+
+
+@pytest.mark.usefixtures("latexmk")
+@pytest.mark.parametrize("limit", [500, 15_000])
+def test_a_disk_that_fills_up_is_no_fault_of_the_source(limit: int, tmp_path: Path) -> None:
+    """Up to the first limit not even the log is written; the PDF, with its font, is larger than the second."""
+    least, most = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (limit, most))
+    try:
+        with pytest.raises(OSError, match="pdflatex cannot write its files in"):
+            compiled(tmp_path, r"some text: fclose: \textbf{more} \emph{more}")
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (least, most))
+    assert len(compiled(tmp_path, r"some text: fclose: \textbf{more} \emph{more}").read_bytes()) > limit
 
 
 @pytest.mark.usefixtures("latexmk")

@@ -9,7 +9,7 @@ import pytest
 
 from tests.letter_boxes import page_letters
 from variantgen.cli import main
-from variantgen.families.load import load_family
+from variantgen.families.reading.load import load_family
 from variantgen.resources import catalog_dir
 
 MILLIMETRE = 72 / 25.4

@@ -17,7 +17,7 @@ import pytest
 
 from variantgen.algebra.name import Name
 from variantgen.families.asking import read_ask
-from variantgen.families.load import load_family
+from variantgen.families.reading.load import load_family
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import task_of
 from variantgen.methods.steps.point_vectors import PointEquation

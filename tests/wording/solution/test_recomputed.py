@@ -18,7 +18,7 @@ from tests.calculator import UnreadableError, evaluate, last_unit
 from tests.methods.applying import cases
 from tests.methods.forms import FORMS
 from variantgen.families.asking import read_ask
-from variantgen.families.load import load_family
+from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.solution_options import SolutionOptions

@@ -12,10 +12,10 @@ from typing import Any
 import numpy as np
 
 from variantgen.accuracy.computed import CaseGroup, Computed
-from variantgen.mechanism.closure_residuals import ClosureResiduals
 from variantgen.mechanism.motion import Motion
-from variantgen.mechanism.solve import solve
-from variantgen.mechanism.structure import analyse
+from variantgen.mechanism.solving.solve import solve
+from variantgen.mechanism.solving.structure import analyse
+from variantgen.mechanism.verification.closure_residuals import ClosureResiduals
 
 _ITERATIONS = 25
 

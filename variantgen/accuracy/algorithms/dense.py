@@ -7,10 +7,10 @@ from collections.abc import Callable
 import numpy as np
 
 from variantgen.accuracy.computed import CaseGroup, Computed
-from variantgen.mechanism.dense import DenseSystem
 from variantgen.mechanism.motion import Motion
-from variantgen.mechanism.solve import solve
-from variantgen.mechanism.structure import analyse
+from variantgen.mechanism.solving.dense import DenseSystem
+from variantgen.mechanism.solving.solve import solve
+from variantgen.mechanism.solving.structure import analyse
 
 TITLE = "one dense linear system"
 SHORT = "dense linear system"

@@ -9,7 +9,7 @@ import numpy as np
 from variantgen.accuracy.algorithms.production import solved
 from variantgen.accuracy.computed import CaseGroup, Computed
 from variantgen.accuracy.reference.exact_scene import wide_scene
-from variantgen.mechanism.structure import analyse
+from variantgen.mechanism.solving.structure import analyse
 
 TITLE = "production in extended precision"
 SHORT = "production, 80 bits"

@@ -19,8 +19,8 @@ from variantgen.accuracy.reference.exact_scene import double_scene, kind
 from variantgen.mechanism.constructions.coordinates import Coordinates
 from variantgen.mechanism.motion import Motion, take_scene
 from variantgen.mechanism.scene import Scene
-from variantgen.mechanism.solve import solve
-from variantgen.mechanism.structure import Plan, analyse
+from variantgen.mechanism.solving.solve import solve
+from variantgen.mechanism.solving.structure import Plan, analyse
 
 TITLE = "Newton on the whole, then dense"
 SHORT = "Newton on the whole"

@@ -7,8 +7,8 @@ from collections.abc import Callable
 from variantgen.accuracy.computed import CaseGroup, Computed
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.scene import Scene
-from variantgen.mechanism.solve import solve
-from variantgen.mechanism.structure import Plan, analyse
+from variantgen.mechanism.solving.solve import solve
+from variantgen.mechanism.solving.structure import Plan, analyse
 
 TITLE = "production: constructions and blocks"
 SHORT = "production"

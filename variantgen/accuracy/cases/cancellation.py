@@ -9,7 +9,7 @@ from numpy.random import Generator
 
 from variantgen.accuracy.cases._shapes import four_bars, grouped, slider_cranks
 from variantgen.accuracy.computed import CaseGroup
-from variantgen.mechanism.solve import solve
+from variantgen.mechanism.solving.solve import solve
 
 TITLE = "cancelling accelerations"
 ABOUT = "Epsilon is such that the slider's acceleration, or the rocker's angular one, vanishes but for 1e-2 to 1e-14."

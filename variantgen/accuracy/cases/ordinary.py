@@ -8,8 +8,8 @@ from numpy.random import Generator
 
 from variantgen.accuracy.cases._shapes import four_bars, grouped, slider_cranks
 from variantgen.accuracy.computed import CaseGroup
-from variantgen.families.folders import family_names
-from variantgen.families.load import load_family
+from variantgen.families.reading.folders import family_names
+from variantgen.families.reading.load import load_family
 from variantgen.variants.draw import draw
 from variantgen.variants.variant import solve_variants
 

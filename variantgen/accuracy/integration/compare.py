@@ -16,8 +16,8 @@ from variantgen.accuracy.integration.integrate import METHODS, STABILISATIONS, T
 from variantgen.accuracy.integration.passage import Passage
 from variantgen.accuracy.norms import deviation
 from variantgen.accuracy.precise import exact_number, many_digits
-from variantgen.mechanism.solve import solve
-from variantgen.mechanism.structure import analyse
+from variantgen.mechanism.solving.solve import solve
+from variantgen.mechanism.solving.structure import analyse
 
 DIRECT = "direct evaluation"
 _SHORT = 0.1  # seconds

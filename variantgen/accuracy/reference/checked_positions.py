@@ -10,8 +10,8 @@ from variantgen.accuracy.reference.definitions import definition
 from variantgen.accuracy.reference.exact_scene import kind
 from variantgen.accuracy.reference.positions import NoSuchPointError, construction
 from variantgen.accuracy.reference.simultaneous_positions import place_together
-from variantgen.mechanism.placing_order import placing_order
 from variantgen.mechanism.scene import Scene
+from variantgen.mechanism.solving.placing_order import placing_order
 
 # Of the size of the mechanism: what a definition may leave open. A needle triangle costs half of the digits carried.
 _LEFT = 1e-60

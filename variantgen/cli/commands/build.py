@@ -81,7 +81,7 @@ def run(arguments: argparse.Namespace) -> int:
     from variantgen.exam.named_families import composing
     from variantgen.exam.samples import exam_path
     from variantgen.exam.solutions import NONE as NO_SOLUTIONS
-    from variantgen.families.folders import family_folders
+    from variantgen.families.reading.folders import family_folders
     from variantgen.outputs.formats import chosen, read_exam
 
     at_least_one("--jobs", arguments.jobs)

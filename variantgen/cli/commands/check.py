@@ -41,7 +41,7 @@ def run(arguments: argparse.Namespace) -> int:
     from variantgen.check.family import check_family
     from variantgen.check.figures import FigureFolder
     from variantgen.check.report import Report
-    from variantgen.families.folders import family_folders, family_names
+    from variantgen.families.reading.folders import family_folders, family_names
 
     if not 1 <= arguments.seeds <= _MOST_SEEDS:
         raise InputError(Problem(f"expected 1 to {_MOST_SEEDS}", key="--seeds", value=str(arguments.seeds)))

@@ -41,7 +41,7 @@ def _check_together(arguments: argparse.Namespace) -> None:
 def _keep_pools(path: Path) -> None:
     """Write the families of the pools of an exam beside its file, where every later command finds them."""
     from variantgen.exam.named_families import composing
-    from variantgen.families.files import family_files
+    from variantgen.families.reading.files import family_files
     from variantgen.outputs.formats import read_exam
 
     composing.set(tell)
@@ -66,7 +66,7 @@ def run(arguments: argparse.Namespace) -> int:
         raise InputError(Problem("missing", key="--out", remedy="name the folder of the new family"))
     from variantgen.exam.composed import write
     from variantgen.exam.composed_pools import shuffled
-    from variantgen.exam.wanted_work import LEVELS, level_of
+    from variantgen.exam.work.wanted_work import LEVELS, level_of
     from variantgen.synthesis.levels import chosen_structures
     from variantgen.synthesis.structures import code, is_textbook, parse_code
 
@@ -78,10 +78,10 @@ def run(arguments: argparse.Namespace) -> int:
     else:
         groups = tuple(filter(None, arguments.groups.split(",")))
         structures = shuffled(chosen_structures(groups, arguments.links), arguments.seed, arguments.level)
-    span = LEVELS[arguments.level] if arguments.level else None
+    spans = dict.fromkeys((2, 1), LEVELS[arguments.level]) if arguments.level else None
     for number, structure in enumerate(structures[:_MOST], start=1):
         try:
-            calculations = write(structure, arguments.seed, out, span)
+            calculations = write(structure, arguments.seed, out, spans)
         except InputError:
             if number == min(_MOST, len(structures)):
                 raise

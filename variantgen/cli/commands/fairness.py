@@ -28,7 +28,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Print the table, and write the page. Raises InputError."""
     from variantgen.exam.manifest import read_manifest
-    from variantgen.families.folders import family_folders
+    from variantgen.families.reading.folders import family_folders
     from variantgen.finished.restore import restore
     from variantgen.finished.work_report import counted, ratio, spread, work_report, write_report
 

@@ -27,8 +27,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Write the folder."""
-    from variantgen.families.folders import family_folders, family_names
-    from variantgen.families.load import load_family
+    from variantgen.families.reading.folders import family_folders, family_names
+    from variantgen.families.reading.load import load_family
     from variantgen.outputs.gallery import GalleryRequest, write_gallery
 
     at_least_one("--each", arguments.each)

@@ -46,7 +46,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Print names, titles and forms, or what one family offers. Raises InputError."""
-    from variantgen.families.folders import family_folders, family_names
+    from variantgen.families.reading.folders import family_folders, family_names
     from variantgen.wording.words import check_language
 
     check_language(arguments.lang)
@@ -69,9 +69,9 @@ def _heading(name: str, folders: tuple[Path, ...]) -> _Heading:
     A family of the catalogue is only read: to check them all takes longer than everything else, and
     they are right.
     """
-    from variantgen.exam.kept_work import kept_medians
-    from variantgen.exam.wanted_work import level_of
-    from variantgen.families.folders import file_of
+    from variantgen.exam.work.kept_work import kept_medians
+    from variantgen.exam.work.wanted_work import level_of
+    from variantgen.families.reading.folders import file_of
     from variantgen.resources import catalog_dir
     from variantgen.tables import read_toml
 
@@ -82,7 +82,7 @@ def _heading(name: str, folders: tuple[Path, ...]) -> _Heading:
         usual = {form: kept_medians().get((name, form)) for form in forms or [""]}
         works = {form: {"calculations": n, "level": level_of(n)} for form, n in usual.items() if n}
         return data["title"], forms, works
-    from variantgen.families.load import load_family
+    from variantgen.families.reading.load import load_family
 
     family = load_family(name, folders)
     return family.titles, [form for form in family.forms if form], {}
@@ -111,8 +111,8 @@ def _work(found: Mapping[str, Any] | None) -> str:
 
 def _structures(arguments: argparse.Namespace, folders: tuple[Path, ...]) -> None:
     """The structures of textbooks, or a page with their pictures."""
-    from variantgen.families.folders import family_names
-    from variantgen.families.load import load_family
+    from variantgen.families.reading.folders import family_names
+    from variantgen.families.reading.load import load_family
     from variantgen.outputs.structures import structure_rows, write_structures
 
     path: Path | None = arguments.figure
@@ -133,7 +133,7 @@ def _structures(arguments: argparse.Namespace, folders: tuple[Path, ...]) -> Non
 
 def _one(arguments: argparse.Namespace, folders: tuple[Path, ...]) -> None:
     """What one family offers, and its figures."""
-    from variantgen.families.load import load_family
+    from variantgen.families.reading.load import load_family
     from variantgen.overview import overview
     from variantgen.wording.language import load_language
 

@@ -64,7 +64,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Mark the class."""
     from variantgen.exam.manifest import read_manifest
     from variantgen.exam.marking_policy import read_policy_file
-    from variantgen.families.folders import family_folders
+    from variantgen.families.reading.folders import family_folders
     from variantgen.finished.restore import restore
     from variantgen.marking import changes, gradebooks
     from variantgen.marking.key import Key

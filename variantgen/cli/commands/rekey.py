@@ -42,7 +42,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Write the new key."""
     from variantgen.exam.manifest import read_manifest
-    from variantgen.families.folders import family_folders
+    from variantgen.families.reading.folders import family_folders
     from variantgen.finished.rekey import marking, rekey
     from variantgen.finished.restore import restore
     from variantgen.outputs.typst.typesetter import typesetter

@@ -38,7 +38,7 @@ def run(arguments: argparse.Namespace) -> int:
         remedy = str(out / "sheet.pdf") if out.is_dir() else f"{out}.pdf"
         raise InputError(Problem("expected a file that ends in .pdf", key="--out", value=str(out), remedy=remedy))
     from variantgen.exam.manifest import read_manifest
-    from variantgen.families.folders import family_folders
+    from variantgen.families.reading.folders import family_folders
     from variantgen.finished.find import find
     from variantgen.finished.remake import SHEETS, SOLUTIONS, remake
     from variantgen.finished.restore import restore

@@ -49,7 +49,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Print the problem or write its page. Raises InputError where it cannot be read or solved."""
-    from variantgen.families.folders import family_folders
+    from variantgen.families.reading.folders import family_folders
 
     exam = exam_file(arguments.family, family_folders(arguments.families))
     check_options(arguments, of_an_exam=exam is not None)

@@ -29,7 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Verify the folder."""
     from variantgen.exam.manifest import read_manifest
-    from variantgen.families.folders import family_folders
+    from variantgen.families.reading.folders import family_folders
     from variantgen.finished.restore import restore
     from variantgen.finished.verify import verify
 

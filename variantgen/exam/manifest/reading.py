@@ -17,7 +17,7 @@ from variantgen.exam.manifest.recorded_sheets import RecordedSheet, read_sheet
 from variantgen.exam.manifest.streamed_json import entries
 from variantgen.exam.named_families import read_recorded
 from variantgen.exam.tolerance import LARGEST, Tolerance
-from variantgen.families.files import family_hash
+from variantgen.families.reading.files import family_hash
 from variantgen.resources import folder_hash, templates_dir
 from variantgen.tables import Table
 from variantgen.version import VERSION

@@ -12,12 +12,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from variantgen.mechanism.centres import acceleration_centre, velocity_centre
-from variantgen.mechanism.crank_turn import CrankTurn, crank_turn
 from variantgen.mechanism.motion import ComplexField, Field, Motion
 from variantgen.mechanism.point_path import curvature_radius, normal_acceleration, tangential_acceleration
 from variantgen.mechanism.relative import relative_motion, sliding_points
 from variantgen.mechanism.rope_speed import rope_piece, rope_speed
-from variantgen.mechanism.turn_values import Scalar, largest, mean, smallest, time_ratio, travel
+from variantgen.mechanism.turn.crank_turn import CrankTurn, crank_turn
+from variantgen.mechanism.turn.turn_values import Scalar, largest, mean, smallest, time_ratio, travel
 
 ROPE = "v_rope"  # the kind whose name has a dot before both of its points
 ALONG, ACROSS = "along_", "across_"  # before the two points of a named direction

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
+from variantgen.families.parameters.units import Unit, unit
 from variantgen.families.quantities.kinds import ACROSS, ALONG, KINDS, MEAN, NATURAL, ROPE, line_ends
-from variantgen.families.units import Unit, unit
-from variantgen.mechanism.crank_turn import crank_of
 from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import Field, Motion
 from variantgen.mechanism.rope_speed import rope_piece
 from variantgen.mechanism.scene import Scene
+from variantgen.mechanism.turn.crank_turn import crank_of
 
 _RECORDED = 8  # significant digits
 # An angle of fewer degrees is noise about zero: the tolerance of an angle is some tenths of a degree.

@@ -59,8 +59,8 @@ def draw_body_figure(
         raise InputError(Problem("the mechanism has no such body", key="view", value=body))
     own = now.v if order == 1 else now.a
     largest = max(abs(vector) for vector in own.values())
-    told = named.telling(found.chain.points)
-    telling = [name for name in now.scene.bodies[body] if name in told]
+    shown = named.telling(found.chain.points)
+    telling = [name for name in now.scene.bodies[body] if name in shown]
     moving = {name: own[name] for name in telling if abs(own[name]) > _NOTHING * largest}
     touching = _contacts(subject, now, named, body, kind) if order == 1 else {}
     if kind == "contacts":

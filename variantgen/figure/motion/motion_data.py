@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from variantgen.errors import InputError, Problem
+from variantgen.families.parameters.units import Unit, unit
 from variantgen.families.quantities import Quantity
-from variantgen.families.units import Unit, unit
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.outcome import Outcome
 from variantgen.methods.graphical.vector_chain import VectorChain, chain_of

@@ -9,8 +9,8 @@ from decimal import Decimal
 
 import numpy as np
 
-from variantgen.families.units import Unit
-from variantgen.families.units import unit as unit_of
+from variantgen.families.parameters.units import Unit
+from variantgen.families.parameters.units import unit as unit_of
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing, Layer
 from variantgen.figure.placement.label_requests import LabelRequest, Places, along_line, around, label_size
 from variantgen.figure.placement.least_crowded import first_clean

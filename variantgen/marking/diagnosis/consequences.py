@@ -26,7 +26,7 @@ from variantgen.mechanism.arithmetic import cross, dot
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.relative import relative_motion, sliding_points
 from variantgen.mechanism.rows import Speeds
-from variantgen.mechanism.solve import Equations
+from variantgen.mechanism.solving.solve import Equations
 from variantgen.variants.variant import Variant
 
 _MOST = 20000  # mixtures of right and wrong rates

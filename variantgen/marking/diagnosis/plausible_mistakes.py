@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from variantgen.families.draw_rules import frame
+from variantgen.families.parameters.draw_rules import frame
 from variantgen.families.quantities import Quantity, motion_order, split_name
 from variantgen.finished.restore import Finished
 from variantgen.marking.diagnosis.sliding_mistakes import sliding_mistakes

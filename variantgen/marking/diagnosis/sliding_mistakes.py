@@ -17,7 +17,7 @@ from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import ComplexField, Field, Motion
 from variantgen.mechanism.relative import relative_motion, sliding_points
 from variantgen.mechanism.rows import Speeds
-from variantgen.mechanism.solve import Equations
+from variantgen.mechanism.solving.solve import Equations
 
 _HOW = {"forgotten": 1.0, "reversed": 2.0}  # how many times the term is taken away
 

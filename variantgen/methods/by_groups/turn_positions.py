@@ -10,7 +10,7 @@ from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
 from variantgen.families.quantities import Quantity
 from variantgen.families.quantities.kinds import ANGLE_OF, MEAN
-from variantgen.mechanism.crank_turn import FULL_TURN, CrankTurn, crank_turn
+from variantgen.mechanism.turn.crank_turn import FULL_TURN, CrankTurn, crank_turn
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import NumberOf, Sentence
 

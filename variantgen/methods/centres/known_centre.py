@@ -18,7 +18,7 @@ from variantgen.methods.centres.centre import is_simple, named_place
 from variantgen.methods.centres.perpendiculars import facts_of_two, perpendicular
 from variantgen.methods.geometry.geometry import Geometry, between, normal_angle
 from variantgen.methods.groups.carriers import is_translating
-from variantgen.methods.groups.contact import place_of
+from variantgen.methods.groups.contact import place_of, resting_letter
 from variantgen.methods.groups.contacts_of_scene import contacts_of_scene
 from variantgen.methods.groups.group import TwoPointBody
 from variantgen.methods.groups.wanted import is_rate_wanted
@@ -115,7 +115,7 @@ def contact_fact(book: Book, body: str) -> Fact:
     """The contact of a wheel with something at rest in a sentence: a point of the figure, or the velocity centre."""
     place = next((place for _, place in resting_contacts(book.task, body, False)), None)
     name = "" if place is None else named_place(book, place)
-    return Point(name) if name else Centre(body).fact
+    return Point(resting_letter(book.task, body, name)) if name else Centre(body).fact
 
 
 def resting_contacts(task: Task, body: str, explained: bool) -> Iterator[tuple[str, complex]]:
@@ -134,7 +134,7 @@ def resting_contacts(task: Task, body: str, explained: bool) -> Iterator[tuple[s
 
 def _radius(book: Book, body: str, axle: str, exact: float) -> Value:
     """The radius of a wheel, as the drawing of its disc has it; of an undrawn one its own symbol."""
-    drawn = book.task.drawn_radius(axle, exact)
+    drawn = book.task.drawn_radius(body, axle, exact)
     if isinstance(drawn, Value):
         return drawn
     return book.geometry.unnamed_radii.of(body, exact)

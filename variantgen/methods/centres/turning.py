@@ -111,7 +111,7 @@ def radius_of(book: Book, group: RollingWheel) -> Value:
         if number is not None
         else abs(book.geometry.vector(group.centre, group.contact))
     )
-    drawn = task.drawn_radius(group.centre, exact)
+    drawn = task.drawn_radius(group.body, group.centre, exact)
     if isinstance(drawn, Value):
         return drawn
     if group.contact:

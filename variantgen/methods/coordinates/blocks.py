@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from variantgen.algebra.expression import Value
 from variantgen.algebra.normal_form import Maybe
 from variantgen.algebra.values import parts
-from variantgen.mechanism.blocks import triangular_blocks
+from variantgen.mechanism.solving.blocks import triangular_blocks
 from variantgen.methods.coordinates.coordinate import Coordinate, PositionEquation
 from variantgen.methods.coordinates.model import Model
 

@@ -260,9 +260,9 @@ class Model:
         squares = [None if d is None else forward(d)[1] ** 2 for d in (self.shift(start, end, axis) for axis in (0, 1))]
         self.add(key, added(*((1, square) for square in squares)), distance**2, **facts)
 
-    def radius(self, centre: str, exact: float) -> Expression:
-        """A radius of that length about a point: of the disc of the drawing, or a number."""
-        return self.task.drawn_radius(centre, exact) or fixed_number("length", exact)
+    def radius(self, body: str | None, centre: str, exact: float) -> Expression:
+        """A radius of that length of a body (None: the ground): of its disc in the drawing, or a number."""
+        return self.task.drawn_radius(body, centre, exact) or fixed_number("length", exact)
 
     # Numbers.
 

@@ -16,7 +16,7 @@ from typing import TypeAlias
 from variantgen.algebra.expression import Constant, Expression, Pi, Ratio, Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import simplified
-from variantgen.families.expressions import FamilyExpression
+from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.linkage.time_laws import angle_law
 

@@ -14,7 +14,7 @@ from collections.abc import Iterable, Sequence
 from variantgen.algebra.expression import Constant, Expression, Total, Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import Signed, summed
-from variantgen.families.expressions import FamilyExpression
+from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.methods.geometry import trigonometry
 from variantgen.methods.geometry.angle_sums import angle_sum
 from variantgen.methods.geometry.angles import AngleForm, Atom, between, degrees, normal_angle
@@ -24,7 +24,7 @@ from variantgen.methods.geometry.position_lines import PositionLines
 from variantgen.methods.geometry.printed_angles import Way, placed_by_angles
 from variantgen.methods.geometry.radii import UnnamedRadii
 from variantgen.methods.geometry.shortest_path import ShortestPaths
-from variantgen.methods.linkage.problem import CLOSE, Task
+from variantgen.methods.linkage.problem import CLOSE, Task, discs_of
 from variantgen.methods.steps.step import Body, Derived, Segment
 
 __all__ = ["Geometry", "between", "degrees", "normal_angle"]
@@ -114,11 +114,10 @@ class Geometry(PositionLines):
         return self._lengths[key]
 
     def radius(self, centre: str, exact: float, body: str) -> Value:
-        """The radius of a circle about a point, by the disc of the figure that has it."""
-        key = frozenset((centre, f"{exact:.9g}"))
+        """The radius of a body's circle about a point, by its disc in the figure."""
+        key = frozenset((centre, f"{exact:.9g}", f"radius of {body}"))
         if key not in self._lengths:
-            discs = (disc for disc in self.task.form.figure.discs if disc.centre == centre)
-            found = (self.read_length(disc.radius) for disc in discs)
+            found = (self.read_length(disc.radius) for disc in discs_of(self.task.form, body, centre))
             near = (item for item in found if abs(item.number(True) - exact) < CLOSE * exact)
             self._lengths[key] = self._radius_by(next(near, None), body, exact)
         return self._lengths[key]

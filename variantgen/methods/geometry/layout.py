@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping
 
 from variantgen.algebra.expression import Constant, Expression, Total, Value
 from variantgen.algebra.normal_form import summed
-from variantgen.families.expressions import FamilyExpression
+from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.mechanism.conditions.distance import Distance
 from variantgen.mechanism.conditions.line import PointOnLine
 from variantgen.methods.geometry.angles import AngleForm, Angles, Atom, corner_name, degrees, normal_angle

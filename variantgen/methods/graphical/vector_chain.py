@@ -1,7 +1,8 @@
 """The chain of a solution: which points lead from the given motion to what is asked, and through which poles.
 
-The order is that of the solver's plan (:mod:`variantgen.mechanism.structure`), which is that of a textbook solution:
-``v_B = v_A + v_BA`` with the pole A that is reached before B, and where B also turns about C, ``v_B = v_BC`` as well.
+The order is that of the solver's plan (:mod:`variantgen.mechanism.solving.structure`), which is that of a textbook
+solution: ``v_B = v_A + v_BA`` with the pole A that is reached before B, and where B also turns about C,
+``v_B = v_BC`` as well.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from variantgen.mechanism.joints.rolling import Rolling
 from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.rows import Placement, Sliding
 from variantgen.mechanism.scene import fixed_points
-from variantgen.mechanism.structure import Closure, FreePoint, GuidedPoint, Plan, RigidPoint
+from variantgen.mechanism.solving.structure import Closure, FreePoint, GuidedPoint, Plan, RigidPoint
 from variantgen.methods.linkage.instant import Instant
 from variantgen.methods.linkage.needed import needed_for
 

@@ -8,7 +8,15 @@ from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.relative import sliding_points
 from variantgen.mechanism.rows import Sliding
-from variantgen.mechanism.structure import Closure, FreePoint, GivenPoint, GuidedPoint, RigidPoint, RowEquation, Step
+from variantgen.mechanism.solving.structure import (
+    Closure,
+    FreePoint,
+    GivenPoint,
+    GuidedPoint,
+    RigidPoint,
+    RowEquation,
+    Step,
+)
 
 
 def needed_for(form: Form, asked: tuple[Quantity, ...]) -> Needed:

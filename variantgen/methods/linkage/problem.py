@@ -12,10 +12,11 @@ from types import MappingProxyType
 
 from variantgen.algebra.expression import Constant, Expression, Pi, Value
 from variantgen.algebra.name import Name
-from variantgen.families.expressions import FamilyExpression
 from variantgen.families.family import Form
+from variantgen.families.figure_hints import DiscMark
+from variantgen.families.parameters.expressions import FamilyExpression
+from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import Quantity, motion_order
-from variantgen.families.units import unit
 from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Placement
@@ -190,11 +191,14 @@ class Task:
             return self._translator.translate(expression, degrees)
         return replace(self._translator, named=lambda name: known.get(name) or self._named(name)).translate(expression)
 
-    def drawn_radius(self, centre: str, exact: float) -> Expression | None:
-        """The radius of that length (printed unit) of a disc about a point in the figure; None where there is none."""
-        for disc in self.form.figure.discs:
+    def drawn_radius(self, body: str | None, centre: str, exact: float) -> Expression | None:
+        """The radius of that length (printed unit) of a disc of the body (None: of the ground) about a point.
+
+        Of another body's disc about the same point it is not, though as large by chance. None where none is drawn.
+        """
+        for disc in discs_of(self.form, body, centre):
             near = abs(self.read(disc.radius) / self.length_unit - exact) <= CLOSE * exact
-            if disc.centre == centre and near and (found := self.expressed(disc.radius)) is not None:
+            if near and (found := self.expressed(disc.radius)) is not None:
                 return found
         return None
 
@@ -208,6 +212,12 @@ class Task:
         if parameter is None:
             return None
         return Constant(float(self.variant.printed[name])) if parameter.unit is None else self.given[name]
+
+
+def discs_of(form: Form, body: str | None, centre: str) -> list[DiscMark]:
+    """The discs about a point in the figure: of the body (None: of the ground), then those of nobody in particular."""
+    found = [disc for disc in form.figure.discs if disc.centre == centre and disc.body in ("", body or "")]
+    return sorted(found, key=lambda disc: not disc.body)
 
 
 def task_of(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity]) -> Task:

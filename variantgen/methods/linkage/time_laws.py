@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 from variantgen.algebra.expression import Expression, Total, Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import simplified
-from variantgen.families.expressions import FamilyExpression
 from variantgen.families.family import Form
+from variantgen.families.parameters.expressions import FamilyExpression
 
 if TYPE_CHECKING:
     from variantgen.methods.linkage.problem import Task

@@ -27,9 +27,9 @@ from variantgen.algebra.expression import (
 )
 from variantgen.algebra.normal_form import simplified
 from variantgen.algebra.values import walk
-from variantgen.families.dimensions import CONSTANTS
-from variantgen.families.expressions import FamilyExpression
-from variantgen.families.units import unit
+from variantgen.families.parameters.dimensions import CONSTANTS
+from variantgen.families.parameters.expressions import FamilyExpression
+from variantgen.families.parameters.units import unit
 
 _DIGITS = 12  # to which a number is a short decimal but for the rounding of its conversion
 

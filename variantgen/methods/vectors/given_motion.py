@@ -7,9 +7,9 @@ from dataclasses import replace
 from variantgen.algebra.expression import Constant, Expression, Magnitude, Pi, Ratio, Times, Total, Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import simplified
-from variantgen.families.expressions import FamilyExpression
 from variantgen.families.family import ComponentTemplate
-from variantgen.families.units import unit, unit_of_turning
+from variantgen.families.parameters.expressions import FamilyExpression
+from variantgen.families.parameters.units import unit, unit_of_turning
 from variantgen.mechanism.drivers.circling import Circling
 from variantgen.mechanism.drivers.extension import Extension
 from variantgen.mechanism.drivers.relative_travel import RelativeTravel

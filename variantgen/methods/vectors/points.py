@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from variantgen.algebra.expression import Constant, Expression, Total, Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import hypotenuse
-from variantgen.families.expressions import FamilyExpression
+from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.mechanism.linkage import driven_body
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.groups.carriers import carrier_of, is_carried, is_translating

@@ -15,7 +15,7 @@ from typing import Any, BinaryIO
 from variantgen.exam.exam_file import Exam
 from variantgen.exam.manifest import HASH, NAME, SCHEMA, EntriesHash, RecordedSheet
 from variantgen.exam.sheets import Item, Sheet
-from variantgen.families.files import family_files
+from variantgen.families.reading.files import family_files
 from variantgen.outputs.files.folder import file_hashes
 from variantgen.version import VERSION
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
 import re
 import shutil
@@ -32,6 +33,9 @@ _SECONDS, _SECONDS_PER_STUDENT = 180, 60  # before a run is given up
 _ERROR = re.compile(r"^(?:\./)?(?P<file>[^\s:]+\.\w+):(?P<line>\d+): (?P<said>.*)$|^! (?P<plain>.*)$", re.MULTILINE)
 _MISSING = re.compile(r"^Missing character: There is no (?P<what>.*?) in font", re.MULTILINE)
 _CODE = re.compile(r"U\+([0-9A-F]{4,6})")
+_NO_ROOM = re.compile(
+    r"^(?:!.*: |.*\(file io\): )?(?:fwrite|fflush|fclose)(?:\(\) failed|:)(?: \(?(?P<why>[^)\n]+))?", re.MULTILINE
+)
 
 
 class LatexError(VariantgenError):
@@ -68,7 +72,10 @@ def how_to_install(engine: Engine) -> str:
 
 
 def compile_document(source: Path, target: Path, engine: Engine, title: str, language: str, students: int) -> None:
-    """Write the PDF of a source. Raises LatexError, MissingGlyphsError where the font lacks letters."""
+    """Write the PDF of a source.
+
+    Raises LatexError, MissingGlyphsError where the font lacks letters, OSError where LaTeX cannot write its files.
+    """
     with tempfile.TemporaryDirectory(prefix="variantgen-latex-") as name:
         folder, document = Path(name), f"{_DOCUMENT}.tex"  # not every engine takes every name of a file
         shutil.copyfile(source, folder / document)
@@ -77,11 +84,15 @@ def compile_document(source: Path, target: Path, engine: Engine, title: str, lan
             *("-interaction=nonstopmode", "-halt-on-error", "-file-line-error", document),
         ]
         limit = _SECONDS + _SECONDS_PER_STUDENT * students
-        code = _run(command, folder, limit)
+        code, said = _run(command, folder, limit)
         log = _read(folder / f"{_DOCUMENT}.log")
         made = folder / f"{_DOCUMENT}.pdf"
         if code is None:
             raise LatexError(f"{engine} did not finish {source.name} in {limit} s")
+        if room := _NO_ROOM.search(said):
+            # Of the log there may be nothing left.
+            reason = f": {room['why']}" if room["why"] else ""
+            raise OSError(errno.ENOSPC, f"{engine} cannot write its files in {folder.parent}{reason}")
         if code or not made.exists():
             raise LatexError(f"{engine} cannot compile {source.name}: {_first_error(log)}")
         _check_glyphs(log, source.name)
@@ -89,23 +100,25 @@ def compile_document(source: Path, target: Path, engine: Engine, title: str, lan
         join_pdfs([made], target, title, language, even=False)
 
 
-def _run(command: Sequence[str], folder: Path, limit: float) -> int | None:
-    """The exit code of a program that sees its folder alone; None if it was stopped after ``limit`` seconds."""
-    process = subprocess.Popen(  # noqa: S603  (a list, no shell)
+def _run(command: Sequence[str], folder: Path, limit: float) -> tuple[int | None, str]:
+    """The exit code and output of a program that sees its folder alone; no code if it was stopped after ``limit`` s."""
+    with subprocess.Popen(  # noqa: S603  (a list, no shell)
         command,
         cwd=folder,
         env=_environment(),
         stdin=subprocess.DEVNULL,
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
         start_new_session=True,
-    )
-    try:
-        return process.wait(limit)
-    except subprocess.TimeoutExpired:
-        return None
-    finally:
-        _end(process)
+        restore_signals=False,  # a file above a limit of the system is an error that LaTeX reports, and no sudden end
+    ) as process:
+        try:
+            said, _ = process.communicate(timeout=limit)
+        except subprocess.TimeoutExpired:
+            return None, ""
+        finally:
+            _end(process)
+        return process.returncode, said.decode("utf-8", errors="replace")
 
 
 def _end(process: subprocess.Popen[bytes]) -> None:
@@ -141,7 +154,7 @@ def _first_error(log: str) -> str:
     """The first error that a log tells, with its line."""
     found = _ERROR.search(log)
     if found is None:
-        return "it told no reason"
+        return "it gave no reason"
     return f"line {found['line']}: {found['said']}" if found["file"] else str(found["plain"])
 
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from variantgen.mechanism.sweep import SweepEnd
+from variantgen.mechanism.turn.sweep import SweepEnd
 from variantgen.outputs.motion.plotted_curves import PlottedCurve, origin
 from variantgen.outputs.motion.subject import Subject
 from variantgen.wording.formula import Equation, Measured, Symbol

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from variantgen.families.units import unit
+from variantgen.families.parameters.units import unit
 from variantgen.figure.drawing import LETTER, Drawing, Layer
 from variantgen.figure.moving import Paper
 from variantgen.outputs.figures.mpl import draw_lines, points_per_unit

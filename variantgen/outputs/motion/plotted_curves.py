@@ -8,11 +8,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from variantgen.families.parameters.units import Unit, unit
 from variantgen.families.quantities import Quantity
-from variantgen.families.units import Unit, unit
 from variantgen.mechanism.motion import Field, Motion
 from variantgen.mechanism.scene import fixed_points
-from variantgen.mechanism.sweep import Sweep
+from variantgen.mechanism.turn.sweep import Sweep
 from variantgen.single import answers
 from variantgen.variants.driver_sweep import DriverSweep
 from variantgen.variants.printed_data import shown_points

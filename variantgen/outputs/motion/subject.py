@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
+from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import Quantity
-from variantgen.families.units import unit
 from variantgen.figure.moving import Moving
-from variantgen.mechanism.sweep import SweepEnd
+from variantgen.mechanism.turn.sweep import SweepEnd
 from variantgen.outputs.motion.plotted_curves import Panel
 from variantgen.outputs.motion.ranges import visible_range
 from variantgen.variants.driver_sweep import DriverSweep

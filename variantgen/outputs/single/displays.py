@@ -22,7 +22,7 @@ from variantgen.families.asking import read_ask
 from variantgen.figure.build import statement_figure
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.outcome import Outcome
-from variantgen.mechanism.sweep import SweepEnd
+from variantgen.mechanism.turn.sweep import SweepEnd
 from variantgen.outputs.html.articles import page_writing
 from variantgen.outputs.html.fragments import solution_html, statement_html
 from variantgen.outputs.html.pages import fragment

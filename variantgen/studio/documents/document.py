@@ -12,7 +12,7 @@ from variantgen.errors import InputError, Problem, VariantgenError
 from variantgen.limits import TOML_BYTES
 from variantgen.studio.documents.edits import Operation, apply, value_at
 from variantgen.studio.documents.identity import same_place, through_list
-from variantgen.studio.documents.journal import Journal, version_of
+from variantgen.studio.documents.journal import FileChange, Journal, version_of
 from variantgen.studio.documents.mistakes import Mistake, is_empty, located
 from variantgen.studio.documents.toml_lines import written_path
 from variantgen.studio.workspace import is_own, write_whole
@@ -121,7 +121,7 @@ class Document:
         return found
 
     def _checked(self, text: str) -> Exam | InputError:
-        from variantgen.families.folders import family_folders
+        from variantgen.families.reading.folders import family_folders
         from variantgen.outputs.formats import parse_exam
 
         try:
@@ -224,7 +224,7 @@ class Document:
 
     def undo(
         self, by: int = -1, version: str | None = None, change: Callable[[dict[str, str], int], dict[str, str]] = _never
-    ) -> dict[str, Any] | None:
+    ) -> FileChange | None:
         """Take the last step back (or do it again, +1); what it was, or None if there is none.
 
         What was done elsewhere is ``changed`` by who knows how, and may be another deed after that. Raises
@@ -246,7 +246,7 @@ class Document:
                     self.journal.forget(by)
                     raise
                 self.journal.move(by, deed)
-                return {"words": step.words, "about": step.about}
+                return step
             text = self.journal.text(step.before if by < 0 else step.after)
             if text is None:
                 return None
@@ -255,7 +255,7 @@ class Document:
             except _OvertakenError:
                 raise ConflictError("", None, None, moved=True) from None
             self.journal.move(by)
-            return {"words": step.words, "about": step.about}
+            return step
 
 
 def _state(text: str, path: Path) -> State:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
@@ -9,6 +10,7 @@ from typing import Any
 from variantgen.exam import answer_page
 from variantgen.marking.marks import MarkedAnswer, verdict_of
 from variantgen.marking.scan.copies import ScannedAnswer
+from variantgen.marking.worth import sums
 from variantgen.studio.marking.marked import MarkedClass
 
 _READINGS, _BUBBLES = 4, 6  # of an answer that are shown
@@ -21,8 +23,14 @@ def points_between(found: MarkedClass, place: int, written: Callable[[Fraction],
     own = {(problem, name) for at, problem, name in found.doubtful if at == place}
     if not own:
         return written(low)
-    waiting = (item for item in found.marked.marks if item.place == place)
-    most = sum((item.of for item in waiting if (item.problem, item.answer.quantity.name) in own), low)
+    best, had = (
+        defaultdict[int, Fraction](Fraction, found.marked.totals[place].by_hand),
+        defaultdict[int, Fraction](Fraction),
+    )
+    for item in (item for item in found.marked.marks if item.place == place):
+        best[item.problem] += item.of if (item.problem, item.answer.quantity.name) in own else item.points
+        had[item.problem] += item.of
+    most = sums(best, had, found.policy)[1]
     return f"{written(low)}\N{EN DASH}{written(most)}"
 
 

@@ -8,10 +8,10 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TypeAlias
 
-from variantgen.errors import InputError, VariantgenError
+from variantgen.errors import InputError, Problem, VariantgenError
 from variantgen.exam.manifest import read_manifest
 from variantgen.exam.marking_policy import MarkingPolicy, read_policy_file
-from variantgen.families.folders import family_folders
+from variantgen.families.reading.folders import family_folders
 from variantgen.finished.restore import Finished, restore
 from variantgen.marking.answer_tables import ReadAnswers, read_answers
 from variantgen.marking.drawn import as_drawn
@@ -27,6 +27,10 @@ from variantgen.studio.marking.folder import MarkingFolder
 from variantgen.studio.workspace import Workspace
 
 Tell: TypeAlias = Callable[[str, int, int], None]
+
+
+class _StoppedError(Exception):
+    """Scans are to be read no further."""
 
 
 @dataclass(frozen=True)
@@ -63,23 +67,38 @@ class MarkedClass:
 class MarkedBuild:
     """The marks of one build; the last ones are kept, scans are read once.
 
-    While they are, ``tell`` gets the name of each file, how many of its pages have been read, how many it has.
+    While they are, ``tell`` gets the name of each file, how many of its pages have been read, how many it has; and it
+    can be stopped: ``stopping`` is set until who asked for it has put the files away.
     """
 
     def __init__(self, workspace: Workspace, folder: MarkingFolder, tell: Tell) -> None:
         self._workspace, self._folder, self._tell = workspace, folder, tell
-        self._lock = threading.Lock()
+        self._lock, self.stopping = threading.Lock(), threading.Event()
         self._known: tuple[tuple[object, ...], MarkedClass] | None = None
         self._restored: tuple[int, Finished] | None = None
         self._scans: tuple[tuple[object, ...], Scans] | None = None
 
     def current(self) -> MarkedClass:
-        """The marks of what is there now. Raises InputError where the build cannot be read."""
+        """The marks of what is there now. Raises InputError where the build cannot be read, or scans no longer are."""
         with self._lock:
             version = self._folder.version()
             if self._known is None or self._known[0] != version:
-                self._known = version, self._computed()
+                try:
+                    self._known = version, self._computed()
+                except _StoppedError:
+                    raise InputError(Problem("the scans are no longer read: that was stopped")) from None
             return self._known[1]
+
+    def stop(self) -> dict[str, str]:
+        """Stop reading scans; files not read to the end go into the bin: their names there by those before."""
+        self.stopping.set()
+        try:
+            with self._lock:
+                read = self._scans[0] if self._scans else ()
+                unread = [path for path in self._folder.every() if is_picture(path) and _stamp(path) not in read]
+                return {path.name: self._folder.remove(path.name) for path in unread}
+        finally:
+            self.stopping.clear()
 
     def _computed(self) -> MarkedClass:
         finished = self._finished()
@@ -132,13 +151,21 @@ class MarkedBuild:
 
     def _collected(self, scans: list[Path], finished: Finished, policy: MarkingPolicy) -> Scans:
         """What the scans say; they are read once, whatever is typed."""
-        version = (policy.tolerance, *((path.name, path.stat().st_mtime_ns) for path in scans))
+        version = (policy.tolerance, *map(_stamp, scans))
         if self._scans is None or self._scans[0] != version:
+            if self._scans is not None and self._scans[0][0] != policy.tolerance:
+                self._scans = None
             pages = {path: page_count(path) for path in scans}
             names = self._folder.names()
 
             def tell(path: Path, done: int) -> None:
+                if self.stopping.is_set():
+                    raise _StoppedError
                 self._tell(names.get(path.name, path.name), done, pages[path])
 
             self._scans = version, collect(scans, Key(finished.record, policy.tolerance), tell=tell)
         return replace(self._scans[1], answers=dict(self._scans[1].answers))
+
+
+def _stamp(path: Path) -> tuple[str, int]:
+    return path.name, path.stat().st_mtime_ns

@@ -96,7 +96,7 @@ def _overlap(studio: Studio, document: Document, seed: str) -> dict[str, int]:
     """The variants of the class with another series, those that a build has had, and how many builds there are."""
     from variantgen.builder.preview import DrawnClass
     from variantgen.exam.manifest import read_manifest
-    from variantgen.families.folders import family_folders
+    from variantgen.families.reading.folders import family_folders
     from variantgen.finished.overlap import overlap
     from variantgen.finished.restore import restore
 

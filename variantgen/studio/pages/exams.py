@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 from typing import Any
+from urllib.parse import quote
 
 from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request
@@ -15,6 +16,7 @@ from variantgen.limits import TOML_BYTES
 from variantgen.studio.deeds import change
 from variantgen.studio.documents.document import Document
 from variantgen.studio.documents.edits import read_operations, written
+from variantgen.studio.documents.journal import FileChange
 from variantgen.studio.frame import command, language_of, render, step_words
 from variantgen.studio.requests import WINDOW, document_of, read_json, studio_of, text_of
 from variantgen.studio.studio import Studio
@@ -92,7 +94,27 @@ async def _moved(request: Request, by: int) -> Response:
     studio, document, data = studio_of(request), document_of(request), await read_json(request)
     step = await run_in_threadpool(document.undo, by, text_of(data, "version"), partial(change, studio, document))
     studio.tell_changed(document, text_of(data, "window", WINDOW))
-    return JSONResponse({**answer(request, studio, document), "done": step is not None})
+    return JSONResponse(
+        {**answer(request, studio, document), "done": step is not None, "place": _place(document, step)}
+    )
+
+
+def _place(document: Document, step: FileChange | None) -> dict[str, Any]:
+    """Where a step is seen: the pages that show it, the first of them as an address; nothing for none."""
+    if step is None:
+        return {}
+    if step.deed.get("kind") == "list":
+        return {"pages": ["roster"], "address": f"/{document.key}/roster"}
+    if step.deed:
+        about = step.deed.get("code", ""), step.deed.get("problem", ""), step.deed.get("quantity", "")
+        build = quote(step.deed.get("build", ""))
+        return {
+            "pages": ["mark"],
+            "address": f"/{document.key}/mark?build={build}#{quote('.'.join(filter(None, about)))}",
+        }
+    pages = {"insert": ["compose", "choose"], "remove": ["compose", "choose"], "changed": ["compose", "build"]}
+    number = quote(step.about.get("number", ""))
+    return {"pages": pages.get(step.words, ["compose"]), "address": f"/{document.key}/compose#{number}"}
 
 
 def answer(request: Request, studio: Studio, document: Document) -> dict[str, Any]:

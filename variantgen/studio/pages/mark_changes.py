@@ -12,7 +12,7 @@ from starlette.routing import Route
 
 from variantgen.studio.builds import FinishedBuild
 from variantgen.studio.frame import language_of
-from variantgen.studio.requests import document_of, read_json, save_upload, studio_of, text_of
+from variantgen.studio.requests import WINDOW, document_of, read_json, save_upload, studio_of, text_of
 from variantgen.studio.security import SCANS_BYTES
 from variantgen.studio.studio import UnknownKeyError
 
@@ -44,6 +44,18 @@ async def drop(request: Request) -> Response:
     return JSONResponse({"kept": kept, "command": command_of(studio_of(request), folder)})
 
 
+async def stop(request: Request) -> Response:
+    """Stop reading scans; those that were not read to the end go into the bin."""
+    from variantgen.studio.marking.changes import command_of
+
+    await read_json(request)
+    folder, marked = marking_of(request)
+    files = await run_in_threadpool(marked.stop)
+    for file, kept in files.items():
+        _noted(request, folder, "file_removed", file, kept)
+    return JSONResponse({"files": len(files), "command": command_of(studio_of(request), folder)})
+
+
 async def restore(request: Request) -> Response:
     """Take a file out of the bin."""
     from variantgen.studio.marking.changes import command_of
@@ -65,7 +77,7 @@ async def say(request: Request) -> Response:
     deed |= {name: str(data[name]) for name in ("code", "problem", "quantity")}
     if deed["before"] != deed["after"]:
         about = {"code": deed["code"], "what": f"{deed['problem']}.{deed['quantity']}"}
-        document_of(request).note("answer_said", about, {"kind": "answer", **deed})
+        _note(request, "answer_said", about, {"kind": "answer", **deed})
     return JSONResponse({**found, "command": command_of(studio_of(request), folder)})
 
 
@@ -100,12 +112,18 @@ def marking_of(request: Request) -> tuple[MarkingFolder, MarkedBuild]:
 def _noted(request: Request, folder: MarkingFolder, words: str, file: str, kept: str) -> None:
     """Note that a file of a marking has come, gone or been replaced; ``kept`` is what is in the bin instead."""
     deed = {"kind": "file", "build": folder.build.key, "file": file, "kept": kept}
-    document_of(request).note(words, {"file": folder.names().get(file, file)}, deed)
+    _note(request, words, {"file": folder.names().get(file, file)}, deed)
+
+
+def _note(request: Request, words: str, about: dict[str, str], deed: dict[str, str]) -> None:
+    window = request.query_params.get("window", "")[:WINDOW]
+    studio_of(request).note(document_of(request), words, about, deed, window)
 
 
 ROUTES = [
     Route("/{exam}/mark/answers", bring, methods=["PUT"]),
     Route("/{exam}/mark/drop", drop, methods=["POST"]),
+    Route("/{exam}/mark/stop", stop, methods=["POST"]),
     Route("/{exam}/mark/restore", restore, methods=["POST"]),
     Route("/{exam}/mark/say", say, methods=["POST"]),
     Route("/{exam}/mark/policy", policy, methods=["POST"]),

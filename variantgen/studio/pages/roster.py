@@ -16,7 +16,7 @@ from variantgen.limits import ROSTER_BYTES
 from variantgen.studio.documents.document import ConflictError, Document
 from variantgen.studio.frame import build_command, language_of, part, render
 from variantgen.studio.pages.exams import answer
-from variantgen.studio.requests import document_of, number_of, read_json, read_upload, studio_of, text_of
+from variantgen.studio.requests import WINDOW, document_of, number_of, read_json, read_upload, studio_of, text_of
 from variantgen.studio.studio import Studio
 from variantgen.studio.workspace import write_whole
 
@@ -191,7 +191,8 @@ def _written(studio: Studio, document: Document, data: dict[str, Any]) -> int:
     before, written = write_list(studio.workspace, text)
     if before != written:
         deed = {"kind": "list", "before": before, "after": written}
-        document.note("class_list", {"count": str(len(found.students))}, deed)
+        about = {"count": str(len(found.students))}
+        studio.note(document, "class_list", about, deed, text_of(data, "window", WINDOW))
     studio.class_tables.remember(table)
     if is_brought:
         studio.class_tables.say(replace(table, taken=written))

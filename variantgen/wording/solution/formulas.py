@@ -20,7 +20,7 @@ from variantgen.algebra.expression import (
 )
 from variantgen.algebra.substitution import vanishes
 from variantgen.algebra.triples import ratio
-from variantgen.families.units import unit
+from variantgen.families.parameters.units import unit
 from variantgen.wording.formula import (
     Absolute,
     Formula,

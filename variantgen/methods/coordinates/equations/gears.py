@@ -19,8 +19,8 @@ def state(model: Model, joint: Gears, template: None) -> None:
     """``r phi + R Phi = (r + R) psi`` outside, ``r phi - R Phi = (r - R) psi`` inside; psi: the line of centres."""
     d = abs(model.now(joint.other_centre, joint.centre))
     exact = model.length(joint.radius)
-    small = model.radius(joint.centre, exact)
-    large = model.radius(joint.other_centre, d + exact if joint.inside else d - exact)
+    small = model.radius(joint.body, joint.centre, exact)
+    large = model.radius(joint.other, joint.other_centre, d + exact if joint.inside else d - exact)
     sign = -1 if joint.inside else 1
     other = model.swept(joint.other) if joint.other is not None else None
     left = added((1, product(small, model.swept(joint.body))), (sign, product(large, other)))

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from variantgen.algebra.expression import Constant, Expression
 from variantgen.algebra.normal_form import product
-from variantgen.families.expressions import FamilyExpression
+from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.mechanism.linkage import driven_point
 from variantgen.methods.vectors.given_motion import amount
 

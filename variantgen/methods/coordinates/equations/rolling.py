@@ -32,7 +32,7 @@ def state(model: Model, joint: Rolling, template: None) -> None:
     """
     centre, contact, on = joint.centre, joint.contact, joint.on
     arm = model.now(contact, centre)
-    radius = model.radius(centre, abs(arm))
+    radius = model.radius(joint.body, centre, abs(arm))
     turn = added((1, model.swept(joint.body)), (-1, model.swept(on) if on else None))
     along = model.turned(on, degrees(-1j * arm))  # the line with the wheel on its left
     rolled = along.ray(product(radius, turn))

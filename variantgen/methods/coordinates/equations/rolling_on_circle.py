@@ -20,12 +20,12 @@ def state(model: Model, joint: RollingOnCircle, template: None) -> None:
     centre, around = joint.centre, joint.around
     d = model.now(around, centre)
     distance = model.geometry.length(around, centre)
-    radius = model.radius(centre, model.length(joint.radius))
+    radius = model.radius(joint.body, centre, model.length(joint.radius))
     own = product(Ratio(radius, distance), model.swept(joint.body))
     other = None
     if joint.on is not None and model.swept(joint.on) is not None:
         exact = abs(d) + (1 if joint.inside else -1) * model.length(joint.radius)
-        other = product(Ratio(model.radius(around, exact), distance), model.swept(joint.on))
+        other = product(Ratio(model.radius(joint.on, around, exact), distance), model.swept(joint.on))
     angle = added((-1 if joint.inside else 1, own), (1, other))
     arm = Heading(angle, degrees(d)).ray(distance)
     facts: dict[str, Fact] = {"body": Body(joint.body), "centre": Point(centre), "around": Point(around)}

@@ -41,7 +41,7 @@ def _side(model: Model, bend: Bend) -> float:
 
 
 def _radius(model: Model, bend: Bend) -> Expression:
-    return model.radius(bend.point, model.length(bend.radius))
+    return model.radius(bend.body, bend.point, model.length(bend.radius))
 
 
 def _piece(model: Model, joint: Rope, first: Bend, second: Bend) -> tuple[list[tuple[int, Maybe]], float]:

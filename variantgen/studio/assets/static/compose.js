@@ -358,6 +358,7 @@ async function offer() {
 $("larger").addEventListener("click", event => { const on = document.querySelector(".toml").classList.toggle("large"); event.currentTarget.setAttribute("aria-pressed", String(on)); });
 
 onOutside(async () => { await list(); await show(current); page_(); });
+addEventListener("place", event => { if (Number(event.detail)) show(Number(event.detail)); });
 addEventListener("hashchange", () => show(Number(location.hash.slice(1)) || 1));
 
 try {

@@ -1,8 +1,8 @@
 // Mark: answers typed by keyboard alone, doubtful readings decided, one student or one question at a time, the rules.
-import { $, all, complain, el, exam, fill, get, lang, note, on, post, renew, typing } from "./studio.js";
+import { $, all, complain, el, exam, fill, get, lang, note, on, own, post, renew, typing, undo } from "./studio.js";
 
 const page = document.querySelector(".marking"), words = JSON.parse(page.dataset.words), build = page.dataset.build;
-const asked = more => new URLSearchParams({ build, lang, ...more });
+const asked = more => new URLSearchParams({ build, lang, window: own, ...more });
 const state = { view: page.dataset.view, code: "", problem: "", quantity: "", only: "all", kind: "sheet" };
 const shown = $("shown") ?? el("div"), list = $("list") ?? el("div");  // there is nothing to mark without a build
 
@@ -84,7 +84,7 @@ function see(view) {
 
 // ---- answers
 const saying = new Set();  // answers on their way: marks are written after them
-async function say(row, text, undone = false) {
+async function say(row, text) {
   const { code, problem, quantity } = row.dataset;
   const sent = post(`/${exam}/mark/say?${asked()}`, { code, problem, quantity, text }, { keepalive: true });  // a window that is closed loses none
   saying.add(sent);
@@ -92,10 +92,9 @@ async function say(row, text, undone = false) {
   $("command").textContent = data.command;
   const verdict = row.querySelector(".v"), kind = { right: "right", wrong: "wrong", blank: "blank" }[data.verdict] ?? "doubt";
   verdict.className = `v ${kind}`; verdict.lastChild.textContent = words[`verdict_${data.verdict}`];
-  const back = () => say(row, data.before, true).then(refresh, complain), changed = fill(words.changed, { before: data.before || "–", text: data.text || "–" });
-  if (undone) note(changed);
-  else if (data.of_file) note(fill(words.stands, data), data.before ? words.take_back : "", back);
-  else if (data.before && data.before !== text) note(changed, words.take_back, back);
+  if (data.before !== data.typed) await renew().catch(complain);
+  if (data.of_file) note(fill(words.stands, data), data.before ? words.take_back : "", undo);
+  else if (data.before && data.before !== text) note(fill(words.changed, { before: data.before, text: data.text || "–" }), words.take_back, undo);
   refresh();
 }
 async function commit(box) {
@@ -145,7 +144,7 @@ async function effect(use) {
   try {
     const found = await post(`/${exam}/mark/policy?${asked()}`, { fields: own, use });
     if (n !== trying) return;
-    if (use) { $("command").textContent = found.command; note(words.rules_used, words.take_back, () => back(found.kept)); await all_(); return; }
+    if (use) { $("command").textContent = found.command; await all_(); note(words.rules_used, words.take_back, undo); return; }
     const who = found.who.length ? el("details", {}, el("summary", {}, words.who), el("ul", {}, ...found.who.map(one => el("li", {}, `${one.name}: ${one.before} → ${one.now}`)))) : "";
     $("effect").replaceChildren(found.who.length ? fill(words.effect, found) : words.no_effect, who);
   } catch (error) { $("use").disabled = true; $("effect").textContent = error.message; }
@@ -162,8 +161,8 @@ list.addEventListener("click", async event => {
   if (button?.dataset.drop) try {
     const found = await post(`/${exam}/mark/drop?${asked()}`, { file: button.dataset.drop });
     $("command").textContent = found.command;
-    note(fill(words.removed, { file: button.dataset.name }), words.take_back, () => back(found.kept));
     await all_();
+    note(fill(words.removed, { file: button.dataset.name }), words.take_back, undo);
   } catch (error) { complain(error); }
 });
 list.addEventListener("keydown", event => {
@@ -181,13 +180,22 @@ list.addEventListener("submit", async event => {
     await show(true);
   } catch (error) { note(error.message); box.select(); }
 });
-// A file comes back out of the bin; rules that replaced none go there.
+// A file comes back out of the bin.
 async function back(kept) {
   try {
-    $("command").textContent = (await (kept ? post(`/${exam}/mark/restore?${asked()}`, { kept }) : post(`/${exam}/mark/drop?${asked()}`, { file: "policy.toml" }))).command;
+    $("command").textContent = (await post(`/${exam}/mark/restore?${asked()}`, { kept })).command;
     await all_();
   } catch (error) { complain(error); }
 }
+// What was taken back or done again is seen at its place: an answer of a sheet.
+async function place(at) {
+  const [code] = at.split(".");
+  if (!code || !list.querySelector(`[data-code="${CSS.escape(code)}"]`)) return;
+  state.view = "students"; state.code = code;
+  await show();
+  document.getElementById(at)?.focus();
+}
+addEventListener("place", event => place(event.detail));
 async function all_() { await Promise.all([renew(), showList()]); await show(); }
 addEventListener("exam", () => all_().catch(complain));  // an answer, a file or the rules may have been taken back
 async function bring(files) {
@@ -204,11 +212,21 @@ async function bring(files) {
   }
   list.setAttribute("aria-busy", "false");
 }
+// What was not read to the end is put away.
+async function stop() {
+  try {
+    const found = await post(`/${exam}/mark/stop?${asked()}`, {});
+    $("command").textContent = found.command;
+    await all_();
+    if (found.files) note(words.stopped, words.take_back, undo);
+  } catch (error) { complain(error); }
+}
 // The pages of scans, one by one, whichever window has brought them.
 on("scan", data => {
   if (data.build !== build) return;
   note(fill(words.reading_page, data), "", null, data.done < data.total ? 0 : 2);
   $("toast").append(el("progress", { max: data.total || 1, value: data.done, "aria-label": fill(words.reading_page, data) }));
+  if (data.done < data.total) $("toast").append(el("button", { type: "button", id: "stop", onclick: stop }, words.stop));
 });
 $("bring")?.addEventListener("click", () => $("file").click());
 $("file").addEventListener("change", event => { const files = [...event.target.files]; event.target.value = ""; if (files.length) bring(files); });
@@ -232,5 +250,6 @@ if (build) {
     await showList();
     state.code = (list.querySelector(".people[data-of=students] li:not(.sure) a") ?? list.querySelector(".people[data-of=students] a"))?.dataset.code ?? "";
     await (state.view === "questions" ? see("questions") : show());
+    await place(decodeURIComponent(location.hash.slice(1)));
   } catch (error) { list.setAttribute("aria-busy", "false"); shown.setAttribute("aria-busy", "false"); complain(error); }
 }

@@ -1,5 +1,5 @@
 // Roster: a table brought as a file, dropped or pasted; its columns named by sight; the class list written from it.
-import { $, complain, el, exam, fill, head, inTurn, lang, note, post, typing, undo, words as common } from "./studio.js";
+import { $, complain, el, exam, fill, head, inTurn, lang, note, own, post, typing, undo, words as common } from "./studio.js";
 
 const page = document.querySelector(".rosters"), words = JSON.parse(page.dataset.words);
 const use = $("use"), shown = $("shown");
@@ -23,16 +23,16 @@ async function show() {
 // Requests go one after another, each on the version that was seen or that the one before has made of it.
 const made = {};
 function ask(what, data) {
-  const own = seen;
+  const table = seen;
   return inTurn(async () => {
-    let version = own.version;
+    let version = table.version;
     while (version in made) version = made[version];
     try {
-      const found = await post(`/${exam}/roster/${what}?lang=${lang}`, { ...data, version });
+      const found = await post(`/${exam}/roster/${what}?lang=${lang}`, { ...data, version, window: own });
       if (found.version && found.version !== version) made[version] = found.version;
       return found;
     } catch (error) {
-      if (error.status === 409) { await show(); both(own); }
+      if (error.status === 409) { await show(); both(table); }
       throw error;
     }
   });

@@ -7,7 +7,7 @@ export const words = JSON.parse(body.dataset.words);
 export const exam = body.dataset.exam;
 export const lang = document.documentElement.lang;
 export const state = { version: body.dataset.version };
-const own = Math.random().toString(36).slice(2);
+export const own = Math.random().toString(36).slice(2);
 
 // A phrase of the words with what it names: fill("{n} of {m}", {n: 1, m: 2}).
 export const fill = (text, named) => text.replace(/\{(\w+)\}/g, (_, name) => named[name] ?? "");
@@ -120,12 +120,23 @@ async function step(name, told) {
   const what = $(name).title.split(": ").slice(1).join(": ");
   const version = seen();
   try {
-    await inTurn(async () => outside(await post(`/${exam}/${name}`, { window: own, version: version() })));
-    note(fill(told, { what }));
+    const data = await inTurn(async () => { const found = await post(`/${exam}/${name}`, { window: own, version: version() }); await outside(found); return found; });
+    go(data.place, fill(told, { what }));
   } catch (error) {
     if (error.status === 409) await inTurn(async () => outside(await get(`/${exam}/state`))); else await renew().catch(() => {});
     complain(error);
   }
+}
+// A step that is taken back is seen at its place: on this page, or on the one where it was done.
+function go({ pages, address } = {}, text) {
+  const to = address && new URL(address, location), build = to?.searchParams.get("build");
+  if (!to || pages.includes(body.className.replace("page-", "")) && (!build || build === document.querySelector("[data-build]")?.dataset.build)) {
+    note(text);
+    if (to?.pathname === location.pathname) dispatchEvent(new CustomEvent("place", { detail: decodeURIComponent(to.hash.slice(1)) }));
+    return;
+  }
+  sessionStorage.setItem("note", text);
+  location.href = to;
 }
 export const undo = () => step("undo", words.taken_back);
 export const redo = () => step("redo", words.done_again);
@@ -151,6 +162,7 @@ function choose(text, yes, no) {
   });
 }
 export const complain = error => note(error.message || String(error));
+if (sessionStorage.getItem("note")) { note(sessionStorage.getItem("note")); sessionStorage.removeItem("note"); }  // of the page before
 
 // ---- events of the server; pages listen with on("build", data => ...).
 const listeners = {};
@@ -171,8 +183,8 @@ function listen() {
 }
 listen();
 on("doc", async data => {
-  if (data.exam !== exam || data.window === own || data.version === state.version) return;
-  await inTurn(async () => outside(await get(`/${exam}/state`)));
+  if (data.exam !== exam || data.window === own) return;
+  await inTurn(async () => (data.version === state.version ? settled : outside)(await get(`/${exam}/state`)));
 });
 addEventListener("pagehide", () => source.close());
 addEventListener("pageshow", event => { if (event.persisted) location.reload(); });

@@ -1,0 +1,137 @@
+"""Laws of time written with plain numbers, as books do: ``s = "t^2 + t"`` in centimetres and seconds.
+
+Such a law needs a measure. It is that of what the law feeds (``v = "s_dot"`` of a point: a length, in the unit of
+length of the file), or that of the unit that is written beside it: ``s = { law = "t^2 + t", unit = "mm" }``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any, NamedTuple
+
+from variantgen.algebra.expression import Constant, Expression, Times, Variable
+from variantgen.errors import InputError, Problem
+from variantgen.families.parameters.dimensions import Dimension
+from variantgen.families.parameters.expressions import FamilyExpression
+from variantgen.families.parameters.units import UNITS, Unit, unit
+from variantgen.mechanism.component import DIMENSIONS, discover, field_specs
+from variantgen.tables import Table
+
+_MEASURES = {(1, 0): "length", (0, 0): "angle"}
+_SECTIONS = {"points": "constructions", "joints": "joints", "drivers": "drivers", "conditions": "conditions"}
+
+
+class Law(NamedTuple):
+    """A law of time: the unit of its plain numbers, empty where its parts have their own; a length or an angle."""
+
+    plain_unit: str
+    is_length: bool
+
+
+class MeasuredLaw(NamedTuple):
+    """A law in SI, with what it measures."""
+
+    law: FamilyExpression
+    dimension: Dimension
+
+
+def split_law(table: Table, name: str) -> tuple[Any, Unit | None]:
+    """The text of a law, and the unit written beside it; a wrong unit is noted in the table."""
+    value = table.data[name]
+    if not isinstance(value, dict):
+        return value, None
+    inner = table.table(name)
+    text, named = (
+        inner.need("law", str, "0", "an expression of the time in quotes"),
+        inner.need("unit", str, "m", "a unit"),
+    )
+    inner.finish()
+    found: list[Unit] = []
+    with inner.collecting("unit"):
+        found.append(_of_law(named))
+    return text, found[0] if found else None
+
+
+def _of_law(named: str) -> Unit:
+    """The unit of a law. Raises InputError for one that is not of length or angle."""
+    found = unit(named)
+    if found.dimension not in _MEASURES:
+        known = [other.name for other in UNITS.values() if other.dimension in _MEASURES and other.name != "1"]
+        problem = Problem("expected a unit of length or angle", value=named, remedy="one of " + ", ".join(known))
+        raise InputError(problem)
+    return found
+
+
+def measured_law(
+    law: FamilyExpression,
+    time: str,
+    named: Unit | None,
+    fed: str | None,
+    dimensions: Mapping[str, Dimension],
+    length: str,
+) -> MeasuredLaw | None:
+    """The law with its measure, where its numbers are plain; None where its parts have measures of their own.
+
+    ``named`` is the unit beside it, ``fed`` the measure of what it feeds. Raises InputError where neither tells.
+    """
+    plain = law.names <= {time}
+    if named is None and not plain:
+        return None
+    wrong: InputError | None = None
+    try:
+        own = law.dimension(dimensions)
+    except InputError as error:
+        own, wrong = None, error
+    if named is None:
+        if wrong is None and (own is None or fed is None or own == DIMENSIONS[fed]):
+            return None
+        if fed is None:
+            said = "plain numbers and a time without a measure"
+            remedy = f'write the unit beside it: {{ law = "{law.text}", unit = "{length}" }} (or "rad", "deg")'
+            raise InputError(Problem(said, value=law.text, remedy=remedy)) from None
+    elif not plain:
+        remedy = "a law with a unit is made of numbers and the time; leave the unit out"
+        raise InputError(Problem("uses parameters, which have units of their own", value=law.text, remedy=remedy))
+    measure = named or UNITS[length if fed == "length" else "rad"]
+    return MeasuredLaw(FamilyExpression(law.text, _times(law.tree, measure)), measure.dimension)
+
+
+def _times(tree: Expression, measure: Unit) -> Expression:
+    """Numbers in a unit as SI; a unit of length stays visible to solutions."""
+    if measure.measures == "length":
+        return Times((tree, Variable("inch" if measure.name == "in" else measure.name)))
+    return tree if measure.size == 1.0 else Times((tree, Constant(measure.size)))
+
+
+def fed_measures(data: Mapping[str, Any]) -> dict[str, str]:
+    """What laws feed: by name the measure that a field with the law or a derivative of it gives the law."""
+    found: dict[str, str] = {}
+    for section, package in _SECTIONS.items():
+        kinds = discover(f"variantgen.mechanism.{package}")
+        for kind, fields in _components(data.get(section)):
+            specs = {spec.name: spec.dimension for spec in field_specs(kinds[kind])} if kind in kinds else {}
+            for name, value in fields.items():
+                if not isinstance(value, str) or not specs.get(name):
+                    continue
+                base, order = _base(value.strip())
+                wanted = DIMENSIONS[specs[name]]
+                measure = _MEASURES.get((wanted[0], wanted[1] + order))
+                if measure and specs[name] != "number":
+                    found.setdefault(base, measure)
+    return found
+
+
+def _base(text: str) -> tuple[str, int]:
+    """The law behind a name, and which derivative of it is meant."""
+    for suffix, order in (("_ddot", 2), ("_dot", 1)):
+        if text.endswith(suffix):
+            return text.removesuffix(suffix).removeprefix("-"), order
+    return text.removeprefix("-"), 0
+
+
+def _components(section: Any) -> Iterator[tuple[str, Mapping[str, Any]]]:
+    """The kinds and fields of a list or table of components, whatever else is wrong with it."""
+    items = section.values() if isinstance(section, dict) else section if isinstance(section, list) else ()
+    for item in items:
+        if isinstance(item, dict):
+            yield from ((kind, fields) for kind, fields in item.items() if isinstance(fields, dict))

@@ -1,0 +1,63 @@
+"""A parameter of a family: the grid of its printed values, and the same in SI."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from decimal import Decimal
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from variantgen.families.parameters.units import Unit
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A drawn parameter: its grid of printed values, and the same in SI.
+
+    A choice parameter has ``words`` and no unit. ``symbol`` is how it is written (``omega_OA``, ``phi``). A
+    ``constant`` has the dimension of a rate but is none that the figure shows (g, the acceleration of free fall).
+    A ``silent`` parameter only gives the figure variety: it is not printed and no answer may depend on it.
+    """
+
+    name: str
+    unit: Unit | None
+    printed: tuple[Decimal, ...]
+    words: tuple[str, ...] = ()
+    symbol: str = ""
+    constant: bool = False
+    silent: bool = False
+
+    @cached_property
+    def si(self) -> NDArray[np.float64]:
+        """The grid in SI, shape (G,): what is printed is what is solved."""
+        return np.array([self._to_si(value) for value in self.printed])
+
+    def in_si(self, printed: Iterable[Decimal]) -> NDArray[np.float64]:
+        """Printed values in SI, shape (N,); they need not lie on the grid."""
+        known = self._on_grid
+        return np.array([known[value] if value in known else self._to_si(value) for value in printed])
+
+    @cached_property
+    def _on_grid(self) -> dict[Decimal, float]:
+        return dict(zip(self.printed, self.si.tolist(), strict=True))
+
+    def _to_si(self, value: Decimal) -> float:
+        return float(value) if self.unit is None else self.unit.to_si(value)
+
+    @property
+    def given(self) -> bool:
+        """Whether its value is printed (a choice is seen in the figure)."""
+        return self.unit is not None and not self.silent
+
+    @property
+    def is_rate(self) -> bool:
+        """Whether it is a velocity, acceleration or their angular kin, whose sign the figure shows."""
+        return self.unit is not None and self.unit.dimension[1] < 0 and not self.constant
+
+    @property
+    def of_second_order(self) -> bool:
+        """Whether only accelerations depend on it."""
+        return self.unit is not None and self.unit.dimension[1] == -2 and not self.constant

@@ -1,0 +1,64 @@
+"""What a file leaves unsaid: stations of ropes at rest, the ways of the blocks of a hoist, blocks that do not turn."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from variantgen.families.family import ComponentTemplate
+from variantgen.families.parameters.expressions import FamilyExpression, number
+from variantgen.mechanism.component import field_specs
+from variantgen.mechanism.joints.guide import Guide
+from variantgen.mechanism.joints.rope import Rope
+from variantgen.mechanism.joints.translation import Translation
+
+
+def with_blocks(
+    joints: Sequence[ComponentTemplate], drivers: Sequence[ComponentTemplate], bodies: Mapping[str, Sequence[str]]
+) -> tuple[ComponentTemplate, ...]:
+    """The joints, and a translation of each body of one point (a block, a load, a rack) that nothing turns."""
+    turning = {
+        part.fields.get(name)
+        for item in (*joints, *drivers)
+        for part in (item, *item.fields.get("path", ()))
+        for name in ("body", "other", "sleeve")
+    }
+    blocks = [body for body, members in bodies.items() if len(members) == 1 and body not in turning]
+    return (*joints, *(ComponentTemplate(Translation, {"body": body}) for body in blocks))
+
+
+def with_stations(
+    joints: Sequence[ComponentTemplate], drivers: Sequence[ComponentTemplate], bodies: Mapping[str, Sequence[str]]
+) -> tuple[ComponentTemplate, ...]:
+    """The joints with their ropes completed.
+
+    A station that is named by ropes alone is at rest, unless the file says ``fixed = false``. In a ``parallel`` rope
+    the pieces at a moving station run along the guide of this point, or of another point of a body in translation.
+    """
+    moving = {point for members in bodies.values() for point in members}
+    moving |= {name for item in (*joints, *drivers) if item.component is not Rope for name in _points(item)}
+    ways = {item.fields["point"]: item.fields.get("angle") for item in joints if item.component is Guide}
+    for item in joints:
+        members = bodies.get(item.fields["body"], ()) if item.component is Translation else ()
+        own = next((ways[point] for point in members if point in ways), None)
+        ways |= {point: own for point in members if point not in ways and own is not None}
+    return tuple(_completed(item, moving, ways) if item.component is Rope else item for item in joints)
+
+
+def _points(item: ComponentTemplate) -> list[str]:
+    """The points that a joint or driver names."""
+    named = [item.fields.get(spec.name) for spec in field_specs(item.component) if spec.ref == "point"]
+    return [name for value in named if value for name in ((value,) if isinstance(value, str) else value)]
+
+
+def _completed(
+    rope: ComponentTemplate, moving: set[str], ways: Mapping[str, FamilyExpression | None]
+) -> ComponentTemplate:
+    parallel, bends = rope.fields.get("parallel", False), []
+    for bend in rope.fields["path"]:
+        found = dict(bend.fields)
+        point = str(found["point"])
+        found.setdefault("fixed", point not in moving and "body" not in found)
+        if parallel and point in ways and "along" not in found and "body" not in found and not found["fixed"]:
+            found["along"] = ways[point] or number(0.0, "angle")
+        bends.append(ComponentTemplate(bend.component, found))
+    return ComponentTemplate(rope.component, {**rope.fields, "path": tuple(bends)})
