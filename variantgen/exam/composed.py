@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -12,7 +12,7 @@ from variantgen.exam.solution_figures import solution_figure_faults
 from variantgen.exam.work.wanted_work import Span
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Family
-from variantgen.families.quantities import Quantity
+from variantgen.families.quantities import Quantity, motion_order
 from variantgen.families.reading.files import CASES
 from variantgen.figure.build import statement_figure
 from variantgen.figure.faults import figure_faults
@@ -32,7 +32,7 @@ from variantgen.wording.solution.explain import explain
 from variantgen.wording.statement import statement
 
 _LOOKED_AT = 3  # variants whose figures are drawn
-_COUNTED = 15  # variants whose work is counted where it matters
+_COUNTED = 9  # variants whose work is counted where it matters
 _ROUGHLY = 1.25  # one variant tells the work so well
 _TRIES = 4  # layouts of a structure whose work matters
 _LINE, _MOST_LINES = 64, {3: 8, 4: 8, 5: 8, 6: 9, 7: 10}  # characters of a line beside a figure; lines by moving links
@@ -47,8 +47,8 @@ def _drawn(family: Family, count: int) -> list[Variant]:
 class _Examination:
     """Says what is wrong with a family; ``calculations`` is what a variant of the last one takes."""
 
-    def __init__(self, links: int, span: Span | None) -> None:
-        self._most_lines, self._span, self.calculations = _MOST_LINES[links], span, 0
+    def __init__(self, links: int, spans: Mapping[int, Span]) -> None:
+        self._most_lines, self._spans, self.calculations = _MOST_LINES[links], spans, 0
 
     def __call__(self, family: Family) -> str:
         """The work, figures of the statement, figures of the solution; nothing where all is well."""
@@ -56,30 +56,33 @@ class _Examination:
         asked = read_ask(variants[0].form)
         motion = solve_variants(variants, 2)
         self.calculations = _calculations(variants, motion, asked)
-        if self._span is not None:
+        if self._spans and not self._is_outside(asked, _ROUGHLY):
             more = draw(replace(family, name="composed"), None, [(str(i), "work", 0) for i in range(_COUNTED)])
             self.calculations = _calculations(more, solve_variants(more, 2), asked)
-        if self._is_outside(1.0):
+        if self._is_outside(asked, 1.0):
             return f"it takes {self.calculations} calculations"
         return next(_faults(variants, motion, asked), "")
 
-    def unfit(self, variant: Variant) -> str:
+    def unfit(self, variant: Variant, asked: Sequence[Quantity]) -> str:
         """Whether the statement of one variant is too long, or its work far from what is wanted."""
-        if any(_lines(variant, load_language(name)) > self._most_lines for name in composed_languages()):
+        if any(_lines(variant, asked, load_language(name)) > self._most_lines for name in composed_languages()):
             return "the statement is too long"
-        if self._span is None:
+        if not self._spans:
             return ""
-        motion = solve_variants([variant], 2)
-        self.calculations = _calculations([variant], motion, read_ask(variant.form))
-        return f"it takes about {self.calculations} calculations" if self._is_outside(_ROUGHLY) else ""
+        self.calculations = _calculations([variant], solve_variants([variant], 2), asked)
+        return f"it takes about {self.calculations} calculations" if self._is_outside(asked, _ROUGHLY) else ""
 
-    def _is_outside(self, factor: float) -> bool:
-        span = self._span
-        return span is not None and not span[0] / factor <= self.calculations <= span[1] * factor
+    def _is_outside(self, asked: Sequence[Quantity], factor: float) -> bool:
+        if not self._spans:
+            return False
+        if (order := max(1, motion_order(asked))) not in self._spans:
+            return True
+        least, most = self._spans[order]
+        return not least / factor <= self.calculations <= most * factor
 
 
-def _lines(variant: Variant, language: Language) -> int:
-    text = statement(variant, read_ask(variant.form), language).text
+def _lines(variant: Variant, asked: Sequence[Quantity], language: Language) -> int:
+    text = statement(variant, asked, language).text
     return -(-len("".join(part if isinstance(part, str) else to_plain(part) for part in text)) // _LINE)
 
 
@@ -139,21 +142,24 @@ def write(
     structure: Structure,
     seed: object,
     folder: Path,
-    span: Span | None = None,
+    spans: Mapping[int, Span] | None = None,
     with_case: bool = True,
 ) -> int:
     """Write a composed family to a folder that is not there yet, complete or not at all; returns its calculations.
 
-    ``span``: how many calculations a variant of it takes; to meet it, only velocities may be asked. ``with_case``: with
-    a worked case, whose last digits may differ between machines. Raises InputError.
+    ``spans``: how many calculations a variant of it takes where accelerations are asked (2) and where velocities alone
+    are (1), which are asked if that meets it. ``with_case``: with a worked case, whose last digits may differ between
+    machines. Raises InputError.
     """
     folder.parent.mkdir(parents=True, exist_ok=True)
-    examination = _Examination(moving_links(structure), span)
+    examination = _Examination(moving_links(structure), spans or {})
     with tempfile.TemporaryDirectory(dir=folder.parent, prefix=f".{folder.name}-") as scratch:
         made = Path(scratch) / folder.name
         made.mkdir()
-        orders, tries = ((2,), MOST_TRIES) if span is None else ((2, 1), _TRIES)
-        found = compose(structure, seed, AnswerTolerances(), made, examination, examination.unfit, orders, tries)
+        orders, tries = (tuple(spans), _TRIES) if spans else ((2,), MOST_TRIES)
+        found = compose(
+            structure, seed, AnswerTolerances(), made, examination, examination.unfit, orders, tries, bool(spans)
+        )
         files = found.files | ({CASES: _case(found.family)} if with_case else {})
         for name, text in files.items():
             (made / name).write_text(text, "utf-8")

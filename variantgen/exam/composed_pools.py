@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import atexit
+import math
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import ExitStack, suppress
@@ -12,13 +13,13 @@ from typing import NamedTuple
 
 from variantgen.errors import InputError
 from variantgen.exam.composed import write
-from variantgen.exam.work.wanted_work import LEVELS, MOST
+from variantgen.exam.work.wanted_work import LEVELS, MOST, Span
 from variantgen.families.asking import read_ask
 from variantgen.families.quantities import motion_order
 from variantgen.families.reading.files import FAMILY
 from variantgen.families.reading.load import load_family
 from variantgen.synthesis.levels import chosen_structures, level
-from variantgen.synthesis.structures import Structure, code
+from variantgen.synthesis.structures import FRAME, Structure, code
 from variantgen.tables import Table
 from variantgen.variants.seeding import digest
 
@@ -113,30 +114,44 @@ def _pool(options: _Options, said: int | None, report: Callable[[int, int], obje
     structures = shuffled(chosen_structures(options.groups, options.links), options.seed, options.level)[
         : _EACH * count
     ]
+    structures.sort(key=lambda structure: any(FRAME not in (dyad.on, dyad.to) for dyad in structure))  # these are far
     usual = [structure for structure in structures if options.level in ("", level(structure))]
     tried = _lasting_folder() / f"tried-{said}"
     made, best = list[_Member](), list[_Member]()
-    for own in (usual, [structure for structure in structures if structure not in usual]):
+    for own, enough in ((usual, count), ([s for s in structures if s not in usual], said or _ENOUGH)):
         for structure, round_ in ((structure, round_) for round_ in range(_ROUNDS) for structure in own):
-            if len(best) == count:
+            if len(best) >= enough:
                 break
+            if any(member.structure == structure for member in best):
+                continue
             with suppress(InputError):  # other structures take its place
-                made.append(_member(options, structure, round_, tried))
+                made.append(_member(options, structure, round_, tried, _aims(options, best, round_)))
                 before, best = len(best), max(best, _alike(made, count), key=len)
                 if len(best) > before:
                     report(len(best), count)
-        if said is None and len(best) >= _ENOUGH:
-            break
     return tuple(sorted(member.folder for member in best))
 
 
-def _member(options: _Options, structure: Structure, round_: int, tried: Path) -> _Member:
+def _member(options: _Options, structure: Structure, round_: int, tried: Path, aims: Mapping[int, Span]) -> _Member:
     """A family that may be taken, in a folder below ``tried``. Raises InputError."""
     folder = tried / f"{round_}" / f"{code(structure).lower().replace('-', '_')}{options.mark}"
-    span = LEVELS.get(options.level, (1, MOST))
-    calculations = write(structure, (options.seed, round_), folder, span, with_case=False)
+    calculations = write(structure, (options.seed, round_), folder, aims, with_case=False)
     accelerations = motion_order(read_ask(next(iter(load_family(folder).forms.values())))) == 2
     return _Member(calculations, accelerations, structure, folder)
+
+
+def _aims(options: _Options, best: Sequence[_Member], round_: int) -> dict[int, Span]:
+    """How many calculations the next family should take, with accelerations (2) or without (1).
+
+    So many that it goes with those that there are already; any of the level where there are none, at
+    first with accelerations.
+    """
+    least, most = LEVELS.get(options.level, (1, MOST))
+    if not best:
+        return dict.fromkeys((2, 1) if round_ else (2,), (least, most))
+    own = [member.calculations for member in best]
+    span = max(least, math.ceil(max(own) / _WIDTH)), min(most, int(min(own) * _WIDTH))
+    return {2 if best[0].accelerations else 1: span}
 
 
 def _alike(made: Sequence[_Member], count: int) -> list[_Member]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -35,6 +35,7 @@ _LOOKED_AT, _BY_HAND = 48, 6  # draws of a layout: all of them, and those whose 
 _VALID, _VALID_ASKED = 0.3, 0.15  # least shares of them that pass the screens, without answers and with them
 _GOOD, _FIT = 0.6, 3  # share of draws on which a quantity is a good answer; draws that a hand can work out
 _MOST_ASKED = {1: 5, 2: 6, 3: 5}
+_FEWEST = 3
 _AT_REST = 1e-9  # of the largest angular velocity
 _WIDTHS = (1.0, 0.5)  # how far values vary: less where links would cross
 
@@ -54,28 +55,34 @@ def compose(
     screening: MakeScreening,
     scratch: Path,
     faults: Callable[[Family], str],
-    unfit: Callable[[Variant], str],
+    unfit: Callable[[Variant, Sequence[Quantity]], str],
     orders: Sequence[int] = (2,),
     tries: int = MOST_TRIES,
+    fewer_too: bool = False,
 ) -> Composed:
     """A family of a structure that passes all screens; which one depends on the seed.
 
     ``screening`` are further screens of draws, ``faults`` says what else is wrong with a family, "" for nothing, and
-    ``unfit`` of its first variant, before much is worked out; ``scratch`` is a folder to try layouts in, at most
-    ``tries``. ``orders``: first accelerations are asked as well (2), then velocities alone (1). Raises InputError where
-    none passes.
+    ``unfit`` of one variant and what is asked, before much is worked out; ``scratch`` is a folder to try layouts in, at
+    most ``tries``. ``orders``: first accelerations are asked as well (2), then velocities alone (1); ``fewer_too``: of
+    each all, then fewer. Raises InputError where none passes.
     """
     chance, why = Chance("compose", code(structure), seed), "no layout"
     for _ in range(tries):
         try:
             draft = lay_out(structure, chance)
-            for order in orders:
-                files, family = _accepted(draft, structure, screening, scratch, order, unfit)
+            varied = _varied(draft, structure, scratch)
+        except (LayoutError, VariantgenError) as error:
+            why = str(error)
+            continue
+        for asked in _askings(draft, varied[1], orders, fewer_too):
+            try:
+                files, family = _accepted(draft, varied, structure, screening, scratch, asked, unfit)
                 why = faults(family)
                 if not why:
                     return Composed(structure, files, family)
-        except (LayoutError, VariantgenError) as error:
-            why = str(error)
+            except (LayoutError, VariantgenError) as error:
+                why = str(error)
     raise InputError(
         Problem(
             f"no layout of the structure passes the screens, the last one: {why}",
@@ -123,22 +130,22 @@ def _titles(structure: Structure) -> dict[str, str]:
 
 def _accepted(
     draft: Draft,
+    varied: tuple[Family, _Draws, float],
     structure: Structure,
     screening: MakeScreening,
     scratch: Path,
-    order: int,
-    unfit: Callable[[Variant], str],
+    asked: list[str],
+    unfit: Callable[[Variant, Sequence[Quantity]], str],
 ) -> tuple[dict[str, str], Family]:
     """The files of a draft that passes, and its family. Raises LayoutError, InputError."""
-    _, draws, width = _varied(draft, structure, scratch)
-    asked = _asked(draft, draws, order)
+    family, draws, width = varied
+    if why := unfit(draws.variant(0), _quantities(family, asked)):
+        raise LayoutError(why)
     text = family_text(draft, _titles(structure), code(structure), asked, width)
     family = _family(text, scratch)
     draws = _Draws(family, _quantities(family, asked), _VALID_ASKED)
     if draws.has_resting_rotation():
         raise LayoutError("a link that could turn does not turn in this position")
-    if why := unfit(draws.variant(0)):
-        raise LayoutError(why)
     if draws.fit(screening) < _FIT:
         raise LayoutError("rounding by hand leads too far")
     return {FAMILY: text, **_statements(draft)}, family
@@ -197,6 +204,20 @@ class _Draws:
         return int(np.count_nonzero(np.all(list(screens.of_survivors(variants, places).values()), axis=0)))
 
 
+def _askings(draft: Draft, draws: _Draws, orders: Sequence[int], fewer_too: bool) -> Iterator[list[str]]:
+    """What may be asked, one after the other: all that is good, and then less of it."""
+    tried: list[list[str]] = []
+    for order in orders:
+        with suppress(LayoutError):
+            full = _asked(draft, draws, order)
+            velocities = [name for name in full if name.split("_")[0] in ("v", "omega")]
+            fewer = max(_FEWEST, len(velocities) + 1 if order == 2 else 0)
+            for asked in (full, full[:fewer]) if fewer_too else (full,):
+                if asked not in tried:
+                    tried.append(asked)
+                    yield asked
+
+
 def _asked(draft: Draft, draws: _Draws, order: int) -> list[str]:
     """What is asked: of the last dyad most, of every dyad something, as long as most draws are good for all of it."""
     *earlier, last = draft.asked
@@ -210,7 +231,7 @@ def _asked(draft: Draft, draws: _Draws, order: int) -> list[str]:
         if np.mean(good) >= _GOOD and len(found) < _MOST_ASKED[len(draft.asked)]:
             found.append(name)
             passed = good
-    if not set(found) & set(last[:2]) or len(found) < 3:
+    if not set(found) & set(last[:2]) or len(found) < _FEWEST:
         raise LayoutError("answers are trivial or touchy")
     return [name for order in ("v", "omega", "a", "epsilon") for name in found if name.split("_")[0] == order]
 

@@ -78,10 +78,10 @@ def run(arguments: argparse.Namespace) -> int:
     else:
         groups = tuple(filter(None, arguments.groups.split(",")))
         structures = shuffled(chosen_structures(groups, arguments.links), arguments.seed, arguments.level)
-    span = LEVELS[arguments.level] if arguments.level else None
+    spans = dict.fromkeys((2, 1), LEVELS[arguments.level]) if arguments.level else None
     for number, structure in enumerate(structures[:_MOST], start=1):
         try:
-            calculations = write(structure, arguments.seed, out, span)
+            calculations = write(structure, arguments.seed, out, spans)
         except InputError:
             if number == min(_MOST, len(structures)):
                 raise
