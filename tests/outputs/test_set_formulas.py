@@ -47,6 +47,8 @@ FORMULAS: list[Formula] = [
 ACCELERATION = Symbol("a", (Index("A"),), part=(Index("n"),))
 # Solutions break no formula: there products and sums are set too.
 LONGER: list[Formula] = [
+    Vector(Symbol("v")),
+    Vector(Symbol("a")),
     Vector(Symbol("v", (Index("B"),))),
     Vector(ACCELERATION),
     Symbol(ANGLE + "BOA"),
