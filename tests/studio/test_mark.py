@@ -330,6 +330,20 @@ def test_what_is_done_to_marks_is_taken_back_in_its_turn(asking: Asking, course:
     assert not (marks / "answers-1.csv").exists()
 
 
+def test_a_file_changed_since_is_neither_removed_nor_replaced(asking: Asking, course: Path) -> None:
+    """Rules that an editor has changed stay in their place."""
+    asking.post(f"/exam/mark/policy?build={BUILD}", {"fields": {"sign": "40"}, "use": True})
+    asking.post(f"/exam/mark/policy?build={BUILD}", {"fields": {"sign": "60"}, "use": True})
+    rules = course / "marks" / BUILD / "policy.toml"
+    by_hand = rules.read_text() + "# mine\n"
+    rules.write_text(by_hand)
+    for left in ("rules of marking", ""):
+        version = asking.get("/exam/state").json()["version"]
+        answer = asking.post("/exam/undo", {"version": version})
+        assert answer.status == 400 and "policy.toml" in answer.text and rules.read_text() == by_hand
+        assert asking.get("/exam/state").json()["undo"] == left
+
+
 def boxes(asking: Asking, code: str) -> dict[str, tuple[str, str]]:
     """What the page shows of a student: the answers and their verdicts, by question."""
     found = re.findall(r'<input id="[^"]*?\.([^"]*)" value="([^"]*)".*?class="v (\w+)"', shown(asking, code=code), re.S)
