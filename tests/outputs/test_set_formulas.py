@@ -78,7 +78,7 @@ PAGES = """#import "common.typ": *
 #show: document-style.with("ru")
 #set page(width: 200pt, height: 60pt, margin: 9pt)
 #for made in (equation, formula) {
-  for markup in json(sys.inputs.data) { page(box(made(markup)) + [.]) }
+  for markup in json(sys.inputs.data) { page(align(center, box(made(markup)) + [.])) }
 }
 """
 NUMBER = r"-?[\d.]+(?:e-?\d+)?"
