@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import shutil
-import socket
 import threading
 import time
 from collections.abc import Callable, Iterator
@@ -17,6 +16,7 @@ import uvicorn
 from tests.browser import find_browser
 from tests.studio.asking import PORT, Asking
 from variantgen.studio.app import make_app
+from variantgen.studio.server import listening
 from variantgen.studio.studio import Studio
 from variantgen.studio.workspace import Workspace
 
@@ -90,7 +90,7 @@ def chromium() -> Iterator[Any]:
 def served(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[str, Path]]:
     """A real server for one folder, with an address that lets in; exams in it belong to single tests."""
     folder = tmp_path_factory.mktemp("studio")
-    listener = socket.create_server(("127.0.0.1", 0))
+    listener = listening(0)
     port = listener.getsockname()[1]
     app = make_app(Studio(Workspace(folder)), TOKEN, port)
     server = uvicorn.Server(uvicorn.Config(app, log_level="error", ws="none", timeout_graceful_shutdown=1))

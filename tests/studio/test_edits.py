@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import json
 import os
+import threading
 import tomllib
 from pathlib import Path
 
 import pytest
 
 from tests.studio.conftest import EXAM
-from variantgen.errors import InputError
-from variantgen.studio.documents.document import ConflictError, Document, RefusedError
+from variantgen.errors import InputError, Problem
+from variantgen.studio.documents.document import ChangedSinceError, ConflictError, Document, RefusedError
 from variantgen.studio.documents.edits import apply, read_operations
 from variantgen.studio.documents.mistakes import Mistake
 from variantgen.studio.documents.toml_lines import parse_path, places
@@ -189,6 +190,56 @@ def test_undo_keeps_what_no_clock_has_noticed(folder: Path) -> None:
         exam.undo(version=version)
     assert path.read_text() == by_hand
     assert exam.undo() and exam.undo(+1) and path.read_text() == by_hand
+
+
+def test_the_exam_is_there_while_a_deed_is_taken_back(folder: Path) -> None:
+    """As where scans are read for it; what is edited meanwhile stays, and is the step that undo takes back then."""
+    exam, begun, go_on = document(folder), threading.Event(), threading.Event()
+
+    def slow(deed: dict[str, str], by: int) -> dict[str, str]:
+        begun.set()
+        assert go_on.wait(20)
+        return {**deed, "by": str(by)}
+
+    def during(by: int) -> None:
+        undo = threading.Thread(target=exam.undo, args=(by, None, slow))
+        undo.start()
+        assert begun.wait(20)
+        other = threading.Thread(target=lambda: exam.edit(points(1, 12 + by), exam.state().version))
+        other.start()
+        other.join(20)
+        stays = other.is_alive()
+        with pytest.raises(InputError, match="another step"):
+            exam.undo()
+        go_on.set()
+        undo.join(20)
+        assert not stays
+        begun.clear(), go_on.clear()
+
+    exam.note("answer_said", {}, {"kind": "answer"})
+    during(-1)
+    assert [step.words for step in exam.journal.steps] == ["changed_in_problem"] and exam.journal.done == 1
+    exam.note("answer_said", {}, {"kind": "answer"})
+    assert exam.undo(change=lambda deed, by: deed)
+    during(+1)
+    assert exam.journal.undoable and exam.journal.undoable.deed == {"kind": "answer", "by": "1"}
+    assert exam.journal.done == len(exam.journal.steps)
+    assert exam.undo(change=lambda deed, by: deed) and exam.undo() and "points = 13" not in exam.state().text
+
+
+@pytest.mark.parametrize(("error", "left"), [(InputError, 1), (ChangedSinceError, 0)])
+def test_only_what_others_have_changed_is_struck_out(folder: Path, error: type[InputError], left: int) -> None:
+    """A fault that passes, as a link in the way, leaves the step: its remedy helps."""
+    exam = document(folder)
+    exam.note("class_list", {}, {"kind": "list"})
+
+    def refused(deed: dict[str, str], by: int) -> dict[str, str]:
+        raise error(Problem("is a link", remedy="remove it"))
+
+    with pytest.raises(error):
+        exam.undo(change=refused)
+    assert len(exam.journal.steps) == left
+    assert (exam.undo(change=lambda deed, by: deed) is not None) == bool(left)
 
 
 @pytest.mark.parametrize("second", ["spool", "four_bar"])

@@ -203,6 +203,11 @@ def test_doubtful_readings_are_decided(
     assert told[1:] == [{"build": BUILD, "file": "My scan.pdf", "done": n, "total": 2} for n in (1, 2)]
     # What it may say, what that would be worth, how dark the bubble is, what the student has at least and at most.
     assert re.findall(r'data-reading="([^"]*)"', found) == ["775", "77", "-"]
+    # The third digit is outlined: its column is 3.75 + 3 * 4.7 mm from the left, its bubbles 3.6 mm wide.
+    [left, width] = map(
+        float, re.findall(r'<svg viewBox="0 0 31 57".*?<rect x="([\d.]+)".*? width="([\d.]+)"', found)[0]
+    )
+    assert left < 17.85 - 1.8 and left + width > 17.85 + 1.8 and width < 4.7
     assert found.count("digit 3: 5") == 1 and 10 < int(re.search(r"(\d+) %</span>", found)[1]) < 50  # type: ignore[index]
     assert re.search(r"<strong>8–9 <small>of 9", found)
     rules = {"problem_step": "0.75"}  # 8 of 8 are 8.25, which is more than there are; 1 of 1 is 0.75
@@ -323,6 +328,20 @@ def test_what_is_done_to_marks_is_taken_back_in_its_turn(asking: Asking, course:
     assert [moved("redo") for _ in range(5)][-1] == "rules of marking"
     assert typed()[0][3] == f"{value:.5g}" and (marks / "policy.toml").read_text() == rules
     assert not (marks / "answers-1.csv").exists()
+
+
+def test_a_file_changed_since_is_neither_removed_nor_replaced(asking: Asking, course: Path) -> None:
+    """Rules that an editor has changed stay in their place."""
+    asking.post(f"/exam/mark/policy?build={BUILD}", {"fields": {"sign": "40"}, "use": True})
+    asking.post(f"/exam/mark/policy?build={BUILD}", {"fields": {"sign": "60"}, "use": True})
+    rules = course / "marks" / BUILD / "policy.toml"
+    by_hand = rules.read_text() + "# mine\n"
+    rules.write_text(by_hand)
+    for left in ("rules of marking", ""):
+        version = asking.get("/exam/state").json()["version"]
+        answer = asking.post("/exam/undo", {"version": version})
+        assert answer.status == 400 and "policy.toml" in answer.text and rules.read_text() == by_hand
+        assert asking.get("/exam/state").json()["undo"] == left
 
 
 def boxes(asking: Asking, code: str) -> dict[str, tuple[str, str]]:

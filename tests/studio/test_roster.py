@@ -18,8 +18,11 @@ from tests.studio.conftest import Visit
 from tests.studio.test_attacks import SCRIPT
 from tests.studio.test_pages import barriers
 from variantgen.exam.roster import Student, read_class
-from variantgen.studio.roster import students
+from variantgen.studio.documents.document import ChangedSinceError
+from variantgen.studio.roster import lists, students
 from variantgen.studio.roster.table import ClassTable, Tab
+from variantgen.studio.studio import Studio
+from variantgen.studio.workspace import Workspace
 
 OFFICE = """School of Engineering\t\t\t
 No\tStudent\tMatr. no.\tClass
@@ -249,6 +252,28 @@ def test_no_list_is_lost_when_lists_are_taken_back(client: Asking, folder: Path)
     assert moved("undo") == 200 and not path.exists()
     kept = [each.read_text() for each in (folder / ".studio" / "roster" / "lists").iterdir()]
     assert own in kept and any("Eve Roe" in each for each in kept)
+
+
+@pytest.mark.parametrize("steps", [1, 2])
+def test_what_an_editor_saves_while_a_list_is_taken_back_stays(
+    studio: Studio, monkeypatch: pytest.MonkeyPatch, steps: int
+) -> None:
+    """With one list the file would be removed, with two the first would come back."""
+    space, edited = studio.workspace, "id,name\n7,Edited\n"
+    written = [lists.write_list(space, f"id,name\n1,{name}\n") for name in ("Ann", "Bob")[:steps]]
+    now, looks = lists._now, []
+
+    def saved_after_the_first_look(own: Workspace) -> bytes | None:
+        found = now(own)
+        if not looks:
+            (own.folder / "roster.csv").write_text(edited)
+        looks.append(found)
+        return found
+
+    monkeypatch.setattr(lists, "_now", saved_after_the_first_look)
+    with pytest.raises(ChangedSinceError):
+        lists.exchange(space, written[-1][1], written[-1][0])
+    assert (space.folder / "roster.csv").read_text() == edited
 
 
 def test_what_a_window_asks_is_of_the_table_that_it_sees(client: Asking, folder: Path) -> None:

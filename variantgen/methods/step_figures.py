@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-import cmath
-import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.values import made_of
-from variantgen.families.hints import DIRECTIONS
 from variantgen.methods.linkage.problem import Task
-from variantgen.methods.solved_motion import SolvedMotion
+from variantgen.methods.step_angles import StepAngles
 from variantgen.methods.steps.point_vectors import PointEquation, PointVectors
 from variantgen.methods.steps.printed_digits import items_values
 from variantgen.methods.steps.step import Body, Derived, Fact, Point, Segment, Sentence, Step
-from variantgen.methods.steps.step_geometry import NOTHING_MARKED, ChainGraph, Corner, MarkedFoot, StepGeometry
+from variantgen.methods.steps.step_geometry import NOTHING_MARKED, ChainGraph, MarkedFoot, StepGeometry
 
 _OF_EQUATIONS = {
     1: ("velocities", "body_velocities", "contact_velocities"),
@@ -26,7 +23,6 @@ _EQUATION = {1: "velocity_equation", 2: "acceleration_equation"}
 _OF_BODIES = ("velocity_centre", "velocity_projections", "acceleration_centre")
 _SPEEDS = ("velocity", "angular velocity")
 _NOTHING = 1e-9  # of the largest rate: a body in translation has no velocity centre
-_SAME = 0.02  # degrees: the angle that is drawn is the one that is printed
 
 
 def step_figures(
@@ -44,10 +40,11 @@ def step_figures(
         if view in _OF_BODIES and isinstance(fact, Body)
     }
     names = [list(dict.fromkeys(_names(task, step, number, vectors, shown))) for number, step in enumerate(steps)]
+    angles = StepAngles(task, steps, vectors)
     marked: dict[str, StepGeometry] = {}
     views: list[tuple[str, ...]] = []
     for number, step in enumerate(steps):
-        here, own = _geometry(task, step), names[number]
+        here, own = _geometry(task, step, number, angles), names[number]
         goal = own or _seen_in(task, here, [later for later in names[number:] if later], vectors)
         if here.feet and not any(_shows(task, name, foot) for name in goal for foot in here.feet):
             # The perpendicular is dropped in another part of the mechanism.
@@ -175,11 +172,10 @@ def _first(equations: Sequence[PointEquation], equation: PointEquation) -> int:
     return seen.index(True) + 1
 
 
-def _geometry(task: Task, step: Step) -> StepGeometry:
+def _geometry(task: Task, step: Step, number: int, angles: StepAngles) -> StepGeometry:
     """The angles and segments that the lines of a step name."""
     values = list(_named(step))
-    said = dict(_inclined(step))
-    corners = [corner for value in values if (corner := _corner(task, value, said)) is not None and _is_true(corner)]
+    corners = [corner for value in values if (corner := angles.corner(value, number)) is not None]
     names = [value.name for value in values if value.name is not None and value.name.kind == "length"]
     segments = [(name.of, name.about) for name in names if not name.part]
     chain = next((item for item in step.items if isinstance(item, ChainGraph)), None)
@@ -222,72 +218,3 @@ def _named(step: Step) -> Iterator[Value]:
             if each.name is not None and each.name not in seen:
                 seen.add(each.name)
                 yield each
-
-
-def _inclined(step: Step) -> Iterator[tuple[Name, tuple[str, str]]]:
-    """The segments whose angles with a line get a letter of their own: start, and the end at which the angle is."""
-    for item in step.items:
-        facts: Mapping[str, Fact] = item.facts if isinstance(item, Sentence) else {}
-        angle, segment = facts.get("angle"), facts.get("segment")
-        if isinstance(angle, Value) and angle.name is not None and isinstance(segment, Segment):
-            yield angle.name, (segment.start, segment.end)
-
-
-def _corner(task: Task, value: Value, said: Mapping[Name, tuple[str, str]]) -> Corner | None:
-    """Where an angle is; None for what is no angle at a point."""
-    name = value.name
-    if name is None or value.measure != "angle":
-        return None
-    if name.kind == "parameter":
-        return _given(task, value, name)
-    if name in said:
-        start, end = said[name]
-        return _with_line(task, value, start, end)
-    sides = SolvedMotion(task).arms(name)
-    if name.kind != "angle" or len(sides) != 2:
-        return None
-    return Corner(value, name.of, (sides[0], sides[1]), tuple(name.about.split()), name.body, name.part == "vertex")
-
-
-def _given(task: Task, value: Value, name: Name) -> Corner | None:
-    """A given angle, as the figure of the statement marks it."""
-    form, z = task.form, task.now.z
-    for mark in form.figure.angles:
-        if form.parameters[mark.name].symbol == name.of:
-            ends = [
-                complex(task.scene.frame.place(DIRECTIONS[way])) if way in DIRECTIONS else z[way] - z[mark.at]
-                for way in (mark.start, mark.end)
-            ]
-            return Corner(value, mark.at, (ends[0], ends[1]))
-    return None
-
-
-def _with_line(task: Task, value: Value, start: str, end: str) -> Corner | None:
-    """The acute angle at the end of a segment with a line without a second point: the one on which it is found."""
-    now = task.now
-    arm = now.z[start] - now.z[end]
-    for way in _lines(task, end):
-        if abs(way) > 0 and abs(arm) > 0:
-            ahead = way if (way * arm.conjugate()).real >= 0 else -way
-            corner = Corner(value, end, (arm, ahead / abs(ahead) * abs(arm)))
-            if _is_true(corner):
-                return corner
-    return None
-
-
-def _lines(task: Task, point: str) -> Iterable[complex]:
-    """Directions of lines through a point: its path, those on which it slides, the axes of the paper."""
-    yield task.now.v.get(point, 0j)
-    for path in task.linkage.slides:
-        members = task.scene.bodies[path.body]
-        if path.point == point and len(members) > 1:
-            yield task.now.z[members[1]] - task.now.z[members[0]]
-    yield from (1 + 0j, 1j)
-
-
-def _is_true(corner: Corner) -> bool:
-    """Whether the sides of an angle make the angle."""
-    first, second = corner.sides
-    if abs(first) == 0 or abs(second) == 0:
-        return False
-    return abs(abs(math.degrees(cmath.phase(second / first))) - abs(corner.value.exact)) < _SAME

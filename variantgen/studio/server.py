@@ -44,7 +44,7 @@ def serve(folder: Path, port: int | None, browser: bool, say: Callable[[str], No
     if running:
         _open(workspace, running, browser, say)
         return
-    with _listening(port) as listener:
+    with listening(port) as listener:
         own_port, token = listener.getsockname()[1], secrets.token_urlsafe(24)
         address = f"http://{ADDRESS}:{own_port}/?t={token}"
         lock = workspace.state(_LOCK)
@@ -130,10 +130,11 @@ def _open(workspace: Workspace, address: str, browser: bool, say: Callable[[str]
     webbrowser.open(path.resolve().as_uri())
 
 
-def _listening(port: int | None) -> socket.socket:
+def listening(port: int | None) -> socket.socket:
     """A socket of this machine alone: at the port, or at the first that is free."""
     for number in [port] if port is not None else [*range(PORT, PORT + _TRIED), 0]:
-        listener = socket.socket(socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP)  # so asyncio sends at once
+        # With the protocol asyncio sends at once; without it a body waits some 40 ms for the head to be acknowledged.
+        listener = socket.socket(socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP)
         if sys.platform != "win32":  # there it would let two programs have one port
             listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:

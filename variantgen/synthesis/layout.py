@@ -46,10 +46,11 @@ def _crank(rng: Chance, only_slid_on: bool) -> Draft:
     size = rng.choice((44, 50, 56, 60)) if only_slid_on else rng.choice((24, 28, 30, 32, 36, 40))
     angle = rng.choice((30, 40, 45, 50, 60, 120, 130, 135, 140, 150))
     draft.data["OA"] = Datum("cm", size, 2, 6)
-    draft.data["phi"] = Datum("deg", angle, 5, 10)
+    upright = draft.opening == "in_position"  # then it is measured from the vertical
+    draft.data["phi"] = Datum("deg", abs(90 - angle) if upright else angle, 5, 10)
     draft.data["omega_OA"] = Datum("rad/s", rng.choice((2, 2.5, 3, 3.5, 4)), 0.5, 1)
-    draft.polar("A", "O", "OA", angle, {"angle": "phi"})
-    draft.marks.append({"name": "phi", "at": "O", "from": "+x", "to": "A"})
+    draft.polar("A", "O", "OA", angle, {"angle": f"90*deg {'-' if angle < 90 else '+'} phi" if upright else "phi"})
+    draft.marks.append({"name": "phi", "at": "O", "from": "+y" if upright else "+x", "to": "A"})
     draft.bar(CRANK, "driver", "O", "A", () if only_slid_on else ("A",))
     return draft
 

@@ -88,7 +88,7 @@ def _slotted_arm(draft: Draft, arm: int, block: int, on: int) -> None:
     draft.position = [
         (k, f | ({"link": pivot + end} if f.get("link") == at.point + pivot else {})) for k, f in draft.position
     ]
-    made = draft.bar(arm, "link", pivot, end, (end,))
+    made = draft.bar(arm, "arm", pivot, end, (end,))
     draft.hint("slotted", made.body)
     slide(draft, at.point, made, "block")
     draft.links[block] = Link(at.point, noun="block", arm_only=True, line=(made.start, made.end), mates={on})

@@ -64,9 +64,15 @@ def _mechanism(draft: Draft, words: Mapping[str, Any]) -> list[str]:
 def _position(draft: Draft, words: Mapping[str, Any]) -> str:
     """What the position is given by, and the given motion; links that lie alike stand together."""
     phrases, said = words["position"], draft.position
-    inclined = [("phi", CRANK), *((facts["angle"], facts["link"]) for key, facts in said if key == "incline")]
-    names, links = (_joined(part, words) for part in zip(*inclined, strict=True))
-    angles = [phrases["incline_one" if len(inclined) == 1 else "incline_many"].format(angles=names, names=links)]
+    upright = draft.marks[0]["from"] == "+y"
+    angles = [phrases["upright"].format()] if upright else []
+    inclined = [] if upright else [("phi", CRANK)]
+    inclined += [(facts["angle"], facts["link"]) for key, facts in said if key == "incline"]
+    if inclined:
+        names, links = (_joined(part, words) for part in zip(*inclined, strict=True))
+        angles.append(
+            phrases["incline_one" if len(inclined) == 1 else "incline_many"].format(angles=names, names=links)
+        )
     angles += [phrases[key].format(**facts) for key, facts in said if key == "angle"]
     clauses = [phrases[key].format(**facts) for key, facts in said if key in _ONE_BY_ONE]
     for key in ("level", "upright"):

@@ -1,4 +1,7 @@
-"""Nothing on paper lies on anything else, leaves its cell or the page: read back from the PDFs, letter by letter."""
+"""Nothing on paper lies on anything else, leaves its cell or the page: read back from the PDFs, letter by letter.
+
+By day every form is read in one of two languages, by turns; at night in both.
+"""
 
 from __future__ import annotations
 
@@ -8,10 +11,12 @@ import numpy as np
 import pytest
 
 from tests.letter_boxes import page_letters
+from tests.tools import NIGHTLY
 from variantgen.cli import main
 from variantgen.families.reading.load import load_family
 from variantgen.resources import catalog_dir
 
+LANGUAGES = ("en", "ru")
 MILLIMETRE = 72 / 25.4
 WIDTH, HEIGHT = 210, 297
 DASHES = "\N{EM DASH}\N{EN DASH}"
@@ -21,14 +26,15 @@ FOOT, BODY = 5, 15  # mm: from below, the words at the foot and what is above th
 MARGINS = {"sheets": (18, 14), "key": (15, 13), "solutions": (15, 13)}  # mm: sides, top
 
 
-@pytest.fixture(scope="module", params=["en", "ru"])
+@pytest.fixture(scope="module", params=LANGUAGES)
 def everything(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """All documents of an exam with every form of the catalogue."""
+    """All documents of an exam with every form of the catalogue that is read in the language."""
     folder = tmp_path_factory.mktemp("everything")
     lines = [f'title = "Plane motion of a rigid body"\nlanguage = "{request.param}"\nseed = 77\n']
-    for path in sorted(catalog_dir().glob("*/family.toml")):
-        name = path.parent.name
-        lines += [f'[[problem]]\nfamily = "{name}"\nform = "{form}"\n' for form in load_family(name, ()).forms]
+    names = [path.parent.name for path in sorted(catalog_dir().glob("*/family.toml"))]
+    forms = [(name, form) for name in names for form in load_family(name, ()).forms]
+    own = forms if NIGHTLY else forms[LANGUAGES.index(request.param) :: len(LANGUAGES)]
+    lines += [f'[[problem]]\nfamily = "{name}"\nform = "{form}"\n' for name, form in own]
     (folder / "exam.toml").write_text("".join(lines), "utf-8")
     assert main(["build", str(folder / "exam.toml"), "--variants", "2", "--out", str(folder / "out")]) == 0
     return folder / "out"
@@ -45,7 +51,7 @@ def test_letters_keep_apart(everything: Path, document: str) -> None:
         outside = page.outside(left, FOOT * MILLIMETRE, right, (HEIGHT - top) * MILLIMETRE)
         assert outside == [], f"page {number}: letters beyond the margins"
         seen += len(page.text)
-    assert seen > 10_000
+    assert seen > (10_000 if NIGHTLY else 5_000)
 
 
 def test_no_column_of_solutions_reaches_into_the_foot(everything: Path) -> None:
@@ -78,7 +84,7 @@ def test_pages_of_solutions_are_filled(everything: Path) -> None:
         body = page.boxes[page.boxes[:, 1] > BODY * MILLIMETRE]
         depths.append(HEIGHT - body[:, 1].min() / MILLIMETRE if len(body) else None)
     short = [number for number, depth in enumerate(depths, start=1) if depth is not None and depth < HEIGHT / 2]
-    assert len(depths) > 100
+    assert len(depths) > (100 if NIGHTLY else 50)
     # The last page of each of the two students may be as short as it is.
     blanks = depths.count(None)
     assert len(short) <= 2, f"pages {short} are less than half full"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -42,14 +43,15 @@ def draw_geometry(board: MotionBoard, subject: FigureSubject, symbols: Symbols, 
         _draw_foot(board, foot)
     formulas = Formulas(symbols, subject.variant.family.length_unit)
     seen: list[tuple[complex, float, float]] = []
-    for corner in subject.geometry.corners:
+    for corner in (_placed(board, corner) for corner in subject.geometry.corners):
         own = corner.centre == body and "centre" in sketch.at
         key = "centre" if own and corner.at_centre else corner.vertex
         seen_points = {*board.shown, *(("P", "Q") if own else ())}
-        if (corner.centre and not own) or not {corner.vertex, *corner.ends} <= seen_points:
+        if (corner.centre and not own) or not _is_seen(corner, seen_points):
             continue
-        at, sweep = sketch.at[key], cmath.phase(corner.sides[1] / corner.sides[0])
-        start = cmath.phase(corner.sides[0])
+        sides = _on_lines(board, key, corner) if corner.either else corner.sides
+        at, sweep = sketch.at[key], cmath.phase(sides[1] / sides[0])
+        start = cmath.phase(sides[0])
         if sweep < 0:
             start, sweep = start + sweep, -sweep
         same = [other for other in seen if abs(other[0] - at) < 1e-6]
@@ -57,9 +59,9 @@ def draw_geometry(board: MotionBoard, subject: FigureSubject, symbols: Symbols, 
         if known or sweep < _LEAST or len(seen) >= most:
             continue
         seen.append((at, start, sweep))
-        _draw_sides(board, key, corner)
+        _draw_sides(board, key, sides)
         if abs(sweep - math.pi / 2) < _RIGHT:
-            first, second = (_SQUARE * side / abs(side) for side in corner.sides)
+            first, second = (_SQUARE * side / abs(side) for side in sides)
             sketch.path((at + first, at + first + second, at + second), Layer.MARK, THIN)
             continue
         radius = (1.4 * _ARC if sweep < _NARROW else _ARC) + _WIDER * len(same)
@@ -68,6 +70,29 @@ def draw_geometry(board: MotionBoard, subject: FigureSubject, symbols: Symbols, 
         for part in (0.0, 0.25, 0.5, 0.75, 1.0):
             sketch.busy.setdefault(key, []).append(start + part * sweep)
     return len(seen)
+
+
+def _is_seen(corner: Corner, points: set[str]) -> bool:
+    """Whether a figure has the vertex of an angle and a point of its sides; both where one is a velocity centre."""
+    ends = points & set(corner.ends)
+    return corner.vertex in points and len(ends) >= min(len(corner.ends), 2 if corner.centre else 1)
+
+
+def _placed(board: MotionBoard, corner: Corner) -> Corner:
+    """An angle whose vertex is not in the figure at a point where it is seen again, one side on what is drawn."""
+    points = (name for name in corner.carried if name in board.shown and corner.vertex not in board.shown)
+    ways = (*corner.sides, *(-side for side in corner.sides))
+    seen = (name for name in points if any(board.sketch.is_taken(name, way, math.radians(2)) for way in ways))
+    place = next(seen, "")
+    return replace(corner, vertex=place, either=True) if place else corner
+
+
+def _on_lines(board: MotionBoard, key: str, corner: Corner) -> tuple[complex, complex]:
+    """The sides of an angle between lines, or the vertical one: that of which more sides are drawn."""
+    first, second = corner.sides
+    pairs = ((first, second), (-first, -second))
+    drawn = [sum(board.sketch.is_taken(key, side, math.radians(2)) for side in pair) for pair in pairs]
+    return pairs[drawn[1] > drawn[0]]
 
 
 def _draw_segments(board: MotionBoard, segments: Sequence[tuple[str, str]]) -> None:
@@ -112,11 +137,11 @@ def _name(corner: Corner, formulas: Formulas) -> Formula:
     return formulas.measured(corner.value) if name is None or name.kind == "angle" else formulas.symbol(corner.value)
 
 
-def _draw_sides(board: MotionBoard, key: str, corner: Corner) -> None:
+def _draw_sides(board: MotionBoard, key: str, sides: tuple[complex, complex]) -> None:
     """Thin lines along the sides of an angle that nothing lies on."""
     sketch = board.sketch
     drawn = sketch.obstacles.segments()
-    for side in corner.sides:
+    for side in sides:
         way = side / abs(side)
         if sketch.is_taken(key, side, math.radians(2)):
             places = np.asarray(sketch.at[key] + _ON_SIDE * way, dtype=np.complex128)

@@ -11,8 +11,9 @@ from variantgen.algebra.expression import Value
 class Corner:
     """An angle: its ``value``, and the ways from its vertex along its sides (printed unit of length).
 
-    ``vertex`` is a point, ``ends`` are those on its sides that must be seen. ``centre`` is the body to whose velocity
-    or acceleration centre a side leads, or at whose centre the vertex is (``at_centre``).
+    ``vertex`` is a point, ``ends`` are those on its sides, of which one must be seen. ``centre`` is the body to whose
+    velocity or acceleration centre a side leads, or at whose centre the vertex is (``at_centre``). Of an angle between
+    lines the vertical one is as good (``either``). At the points ``carried`` it is again, between parallel lines.
     """
 
     value: Value
@@ -21,6 +22,8 @@ class Corner:
     ends: tuple[str, ...] = ()
     centre: str = ""
     at_centre: bool = False
+    either: bool = False
+    carried: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

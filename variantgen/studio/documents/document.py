@@ -46,6 +46,10 @@ class RefusedError(VariantgenError):
         super().__init__("; ".join(problem.message for problem in problems))
 
 
+class ChangedSinceError(InputError):
+    """What a step has done is no longer there as it left it: the step can never be taken back, nor done again."""
+
+
 class _OvertakenError(Exception):
     """Another program has saved the file while a change was made."""
 
@@ -73,7 +77,7 @@ class Document:
 
     def __init__(self, key: str, path: Path, folder: Path, journal: Path) -> None:
         self.key, self.path, self._folder = key, path, folder
-        self._lock = threading.RLock()
+        self._lock, self._moving = threading.RLock(), False
         self.journal = Journal(journal)
         self._seen: tuple[int, int] = (0, 0)
         self._state = self._read()
@@ -227,35 +231,49 @@ class Document:
     ) -> FileChange | None:
         """Take the last step back (or do it again, +1); what it was, or None if there is none.
 
-        What was done elsewhere is ``changed`` by who knows how, and may be another deed after that. Raises
-        ConflictError where the file has another version than the one that was seen, InputError where others have
-        changed since what was done elsewhere: that is no longer taken back.
+        What was done elsewhere is ``change``d by who knows how, and may be another deed after that. It may take
+        long, as where scans are read, so that it is done outside the lock. Raises ConflictError where the file has
+        another version than the one that was seen, InputError where the step cannot be taken back now; it is struck
+        out for ChangedSinceError only.
         """
         with self._lock:
             self._seen = (0, 0)  # what was saved within the same tick of the clock counts, too
             self.refresh()
             if version is not None and version != self._state.version:
                 raise ConflictError("", None, None, moved=True)
-            step = self.journal.undoable if by < 0 else self.journal.redoable
+            if self._moving:
+                raise InputError(Problem("another step is being taken back", remedy="wait until that is done"))
+            step = self.journal.next(by)
             if step is None:
                 return None
-            if step.deed:
-                try:
-                    deed = change(step.deed, by)
-                except InputError:
-                    self.journal.forget(by)
-                    raise
-                self.journal.move(by, deed)
-                return step
-            text = self.journal.text(step.before if by < 0 else step.after)
-            if text is None:
-                return None
-            try:
-                self._write(text)
-            except _OvertakenError:
-                raise ConflictError("", None, None, moved=True) from None
-            self.journal.move(by)
+            if not step.deed:
+                return self._retrace(step, by)
+            self._moving = True
+        try:
+            deed = change(step.deed, by)
+        except ChangedSinceError:
+            with self._lock:
+                if self.journal.next(by) == step:  # else the later steps are to be taken back first
+                    self.journal.strike(step)
+            raise
+        else:
+            with self._lock:
+                self.journal.settle(step, by, deed)
             return step
+        finally:
+            self._moving = False
+
+    def _retrace(self, step: FileChange, by: int) -> FileChange | None:
+        """Write the text from which a step came (or to which, +1); None if it is not kept."""
+        text = self.journal.text(step.before if by < 0 else step.after)
+        if text is None:
+            return None
+        try:
+            self._write(text)
+        except _OvertakenError:
+            raise ConflictError("", None, None, moved=True) from None
+        self.journal.move(by)
+        return step
 
 
 def _state(text: str, path: Path) -> State:

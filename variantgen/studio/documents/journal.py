@@ -148,11 +148,31 @@ class Journal:
         """The step that is done again."""
         return self.steps[self.done] if self.done < len(self.steps) else None
 
-    def forget(self, by: int) -> None:
-        """Strike out the step that undo takes back (or that is done again, +1): that cannot be done any more."""
-        place = self.done - 1 if by < 0 else self.done
-        self.steps = self.steps[:place] + self.steps[place + 1 :]
-        self.move(by if by < 0 else 0)
+    def next(self, by: int) -> FileChange | None:
+        """The step that undo (-1) or redo (+1) is of."""
+        return self.undoable if by < 0 else self.redoable
+
+    def strike(self, step: FileChange) -> None:
+        """Take a step out of all: it cannot be done any more."""
+        if step not in self.steps:
+            return
+        place = self.steps.index(step)
+        del self.steps[place]
+        self.done -= place < self.done
+        self._write()
+
+    def settle(self, step: FileChange, by: int, deed: dict[str, str]) -> None:
+        """A step was taken back or done again (+1), and is a deed from now on.
+
+        Others may have come meanwhile: below them it is taken out of all, and what was done again is the last of them.
+        """
+        if step == self.next(by):
+            self.move(by, deed)
+        elif by < 0:
+            self.strike(step)
+        else:
+            self.steps = [*self.steps[: self.done], replace(step, deed=deed)]
+            self.move(+1)
 
     def move(self, by: int, deed: dict[str, str] | None = None) -> None:
         """So many steps more or less are done; ``deed`` is what the step between them is from now on."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 import zipfile
+from collections.abc import Callable
 from dataclasses import replace
 from decimal import Decimal, InvalidOperation
 from pathlib import Path
@@ -11,11 +12,14 @@ from typing import Any
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam.marking_policy import MarkingPolicy
+from variantgen.exam.sheets import Answer
 from variantgen.letters import unseen
 from variantgen.marking.answer_tables import read_answers
 from variantgen.marking.form_words import FormWords
 from variantgen.marking.marks import Verdict, verdict_of
+from variantgen.marking.scan.collecting import Question
 from variantgen.marking.scan.pictures import is_picture
+from variantgen.studio.documents.document import ChangedSinceError
 from variantgen.studio.frame import command
 from variantgen.studio.marking.folder import POLICY, RESULT, REVIEW, TYPED, Asked, MarkingFolder
 from variantgen.studio.marking.marked import MarkedBuild, MarkedClass
@@ -42,8 +46,8 @@ def command_of(studio: Studio, folder: MarkingFolder) -> str:
     return command("variantgen", *words)
 
 
-def take(folder: MarkingFolder, marked: MarkedBuild, incoming: Path, name: str) -> str:
-    """Keep a file with answers, if it has some; its name in the folder. Raises InputError."""
+def take(folder: MarkingFolder, marked: MarkedBuild, incoming: Path, name: str, done: Callable[[str], None]) -> None:
+    """Keep a file with answers, if it has some; ``done`` is told its name in the folder. Raises InputError."""
     try:
         with incoming.open("rb") as file:
             beginning = file.read(8)
@@ -65,53 +69,73 @@ def take(folder: MarkingFolder, marked: MarkedBuild, incoming: Path, name: str) 
             path = folder.next_path(beginning)
             shutil.move(incoming, path)
             folder.name(path, name)
-        return path.name
+            done(path.name)
     finally:
         incoming.unlink(missing_ok=True)
 
 
-def said(
-    folder: MarkingFolder, marked: MarkedBuild, data: dict[str, Any], expected: str | None = None
-) -> dict[str, Any]:
-    """Write an answer; returns what stands then, whether that is of a file, and what was typed before.
+def write_answer(
+    folder: MarkingFolder,
+    found: MarkedClass,
+    data: dict[str, Any],
+    expected: str | None = None,
+    done: Callable[[str, str], None] = lambda before, text: None,
+) -> tuple[Question, str, str]:
+    """Write an answer; returns the question, what was typed before and what is now.
 
-    Where nothing or only a dash is typed the answer of a file stands. Raises InputError and UnknownKeyError for one
-    that the exam does not ask, and InputError where something else than what is ``expected`` is typed by now.
+    ``done`` is told both before another window may write one. Raises InputError and UnknownKeyError for one that the
+    exam does not ask, and ChangedSinceError where something else than what is ``expected`` is typed by now.
     """
-    found = marked.current()
     code, name = text_of(data, "code", 40), text_of(data, "quantity", 80)
     number = number_of(data.get("problem"), "problem", 1, 999)
     text = text_of(data, "text", _LONGEST).strip().lstrip("'")  # which spreadsheets put before a text
     if unseen(text):
         raise InputError(Problem("holds characters that cannot be seen", key="text"))
     try:
-        place = found.place(code)
-        answers = {answer.quantity.name: answer for answer in found.key.answers(place, number)}
-        answer = answers[name]
+        question = found.place(code), number, name
+        _right(found, question)
     except KeyError:
         raise UnknownKeyError(f"{code} {number}.{name}"[:80]) from None
-    scanned = (place, number, name) in found.scanned
-    file = REVIEW if scanned else TYPED
+    file = REVIEW if question in found.scanned else TYPED
     asked = code, number, name
     with folder.lock:
         entries = folder.written(file, _questions(found))
         before = entries.pop(asked, "")
         if expected is not None and before != expected:
-            raise InputError(Problem("was changed since", key=f"{code} {number}.{name}", value=before))
+            raise ChangedSinceError(Problem("was changed since", key=f"{code} {number}.{name}", value=before))
         if text:
             entries[asked] = text
         else:
             before = folder.forget(asked, before) or before
         folder.write(file, entries)
-    verdict = verdict_of(answer, text)[2]
+        done(before, text)
+    return question, before, text
+
+
+def said(
+    folder: MarkingFolder, marked: MarkedBuild, data: dict[str, Any], done: Callable[[str, str], None]
+) -> dict[str, Any]:
+    """Write an answer; returns what stands then, whether that is of a file, and what was typed before.
+
+    Where nothing or only a dash is typed the answer of a file stands. ``done`` and what is raised: as write_answer.
+    """
+    found = marked.current()
+    question, before, text = write_answer(folder, found, data, done=done)
+    verdict = verdict_of(_right(found, question), text)[2]
     if verdict is not Verdict.BLANK:
         return {"verdict": verdict.value, "text": text, "before": before, "typed": text, "of_file": False}
-    now, question = marked.current(), (place, number, name)
+    now = marked.current()
     of_all = {(one.place, one.problem, one.answer.quantity.name): one for one in now.marked.marks}
     stands = "" if of_all[question].waiting else of_all[question].text
     shown = "doubtful" if question in now.doubtful else of_all[question].verdict.value
     of_file = stands not in ("", text)
     return {"verdict": shown, "text": stands, "before": before, "typed": text, "of_file": of_file}
+
+
+def _right(found: MarkedClass, question: Question) -> Answer:
+    """The answer that is right. Raises KeyError for a question that the exam does not ask."""
+    place, number, name = question
+    return {answer.quantity.name: answer for answer in found.key.answers(place, number)}[name]
 
 
 def _questions(found: MarkedClass) -> set[Asked]:
@@ -124,8 +148,13 @@ def _questions(found: MarkedClass) -> set[Asked]:
     }
 
 
-def with_policy(folder: MarkingFolder, marked: MarkedBuild, data: dict[str, Any], language: str) -> dict[str, Any]:
-    """What rules change; written if ``use`` is true. Raises InputError for what is no rule."""
+def with_policy(
+    folder: MarkingFolder, marked: MarkedBuild, data: dict[str, Any], language: str, done: Callable[[str], None]
+) -> dict[str, Any]:
+    """What rules change; written if ``use`` is true. Raises InputError for what is no rule.
+
+    ``done`` is told the name in the bin of the rules that were replaced.
+    """
     found, given = marked.current(), data.get("fields")
     known = policy_fields(found.policy)
     if not isinstance(given, dict) or not given.keys() <= known.keys():
@@ -139,7 +168,9 @@ def with_policy(folder: MarkingFolder, marked: MarkedBuild, data: dict[str, Any]
         remedy = "correct policy.toml, or remove it; rules that are used here replace it"
         raise InputError(Problem("the rules of the file cannot be read", file=POLICY, remedy=remedy))
     with folder.lock:
-        return {**answer, "kept": folder.write_policy(rules)}
+        kept = folder.write_policy(rules)
+        done(kept)
+    return {**answer, "kept": kept}
 
 
 def _rule(name: str, text: object) -> Decimal:

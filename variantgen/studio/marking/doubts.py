@@ -14,6 +14,7 @@ from variantgen.marking.worth import sums
 from variantgen.studio.marking.marked import MarkedClass
 
 _READINGS, _BUBBLES = 4, 6  # of an answer that are shown
+_ROOM = 0.3  # millimetres between bubbles and what is drawn around them
 _DARKEST = 1.5  # that a bar shows, in usual marks
 
 
@@ -53,3 +54,15 @@ def bubbles(doubt: ScannedAnswer, decimal_mark: str) -> list[dict[str, Any]]:
         }
         for column, value, share in doubt.seen[:_BUBBLES]
     ]
+
+
+def outlines(doubt: ScannedAnswer) -> list[dict[str, float]]:
+    """Where the doubtful columns stand on the picture of an answer, in millimetres of its block."""
+    found = []
+    for column in dict.fromkeys(column for column, _, _ in doubt.seen):
+        own = [bubble for bubble in answer_page.BUBBLES if bubble.column == column]
+        across, down = answer_page.LENGTH / 2 + answer_page.RADIUS + _ROOM, answer_page.RADIUS + _ROOM
+        left, top = min(one.x for one in own) - across, min(one.y for one in own) - down
+        width, height = max(one.x for one in own) + across - left, max(one.y for one in own) + down - top
+        found.append({"x": left, "y": top, "width": width, "height": height})
+    return [{name: round(value, 2) for name, value in one.items()} for one in found]

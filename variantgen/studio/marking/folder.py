@@ -18,6 +18,7 @@ The names that files came with are only shown; they are kept in ``.studio/marks`
 from __future__ import annotations
 
 import csv
+import hashlib
 import io
 import json
 import re
@@ -108,8 +109,7 @@ class MarkingFolder:
         """Put a file into the bin, and return its name there. Raises InputError for what is no file of a marking."""
         self._refuse_links()
         with self.lock:
-            own = [path for known in (TYPED, REVIEW, POLICY) for path in self._own(known)]
-            path = next((path for path in (*self.brought(), *own) if path.name == name), None)
+            path = self._file(name)
             if path is None:
                 raise InputError(Problem("there is no such file", value=name[:40]))
             home = self.path / BIN
@@ -117,6 +117,18 @@ class MarkingFolder:
             number = 1 + max((int(kept[1]) for old in home.iterdir() if (kept := _KEPT.fullmatch(old.name))), default=0)
             path.rename(home / f"{number}-{name}")
             return f"{number}-{name}"
+
+    def digest(self, name: str) -> str:
+        """The SHA-256 of a file of the marking; '' where there is none, or only the head of a table of the studio."""
+        path = self._file(name)
+        if path is None or (name in _HEADS and path.read_bytes() == _table(name, {}).encode()):
+            return ""
+        with path.open("rb") as file:
+            return hashlib.file_digest(file, "sha256").hexdigest()
+
+    def _file(self, name: str) -> Path | None:
+        own = [path for known in (TYPED, REVIEW, POLICY) for path in self._own(known)]
+        return next((path for path in (*self.brought(), *own) if path.name == name), None)
 
     def binned(self) -> list[tuple[str, str]]:
         """The files in the bin, the newest first: their names there and those that they had before."""

@@ -19,7 +19,7 @@ from variantgen.marking.class_statistics import class_facts
 from variantgen.marking.diagnosis.causes import OTHER, Cause
 from variantgen.marking.marks import Marked, MarkedAnswer, StudentTotal, Verdict
 from variantgen.marking.words import cause_in_words
-from variantgen.studio.marking.doubts import bubbles, points_between, readings
+from variantgen.studio.marking.doubts import bubbles, outlines, points_between, readings
 from variantgen.studio.marking.marked import MarkedClass
 from variantgen.studio.messages import in_language
 from variantgen.wording.language import Language, load_language
@@ -166,6 +166,7 @@ def answer(found: MarkedClass, item: MarkedAnswer, words: MarkWords) -> dict[str
         "of": words.points(item.of),
         "doubtful": doubt is not None,
         "readings": readings(doubt, item) if doubt else [],
+        "outlines": outlines(doubt) if doubt else [],
         "bubbles": bubbles(doubt, words.language.decimal_mark) if doubt else [],
         "why": [why.replace(" ", "_") for why in doubt.read.why] if doubt else [],
         "picture": bool(scan and scan.picture),

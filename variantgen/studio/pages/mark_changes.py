@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import secrets
-from typing import TYPE_CHECKING
+from functools import partial
+from typing import TYPE_CHECKING, Any
 
 from starlette.concurrency import run_in_threadpool
 from starlette.requests import Request
@@ -11,6 +12,7 @@ from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
 from variantgen.studio.builds import FinishedBuild
+from variantgen.studio.deeds import of_file
 from variantgen.studio.frame import language_of
 from variantgen.studio.requests import WINDOW, document_of, read_json, save_upload, studio_of, text_of
 from variantgen.studio.security import SCANS_BYTES
@@ -29,8 +31,8 @@ async def bring(request: Request) -> Response:
     name = request.query_params.get("name", "")[:200]
     incoming = studio_of(request).workspace.state("marks", f"incoming-{secrets.token_hex(8)}")
     await save_upload(request, incoming, SCANS_BYTES)
-    own = await run_in_threadpool(take, folder, marked, incoming, name)
-    _noted(request, folder, "file_brought", own, "")
+    done = partial(_noted, request, folder, "file_brought", kept="")
+    await run_in_threadpool(take, folder, marked, incoming, name, done)
     return JSONResponse({"command": command_of(studio_of(request), folder)})
 
 
@@ -39,9 +41,15 @@ async def drop(request: Request) -> Response:
     from variantgen.studio.marking.changes import command_of
 
     data, (folder, _) = await read_json(request), marking_of(request)
-    kept = await run_in_threadpool(folder.remove, text_of(data, "file"))
-    _noted(request, folder, "file_removed", text_of(data, "file"), kept)
+    kept = await run_in_threadpool(_removed, request, folder, text_of(data, "file"))
     return JSONResponse({"kept": kept, "command": command_of(studio_of(request), folder)})
+
+
+def _removed(request: Request, folder: MarkingFolder, file: str) -> str:
+    with folder.lock:
+        kept = folder.remove(file)
+        _noted(request, folder, "file_removed", file, kept)
+    return kept
 
 
 async def stop(request: Request) -> Response:
@@ -52,7 +60,7 @@ async def stop(request: Request) -> Response:
     folder, marked = marking_of(request)
     files = await run_in_threadpool(marked.stop)
     for file, kept in files.items():
-        _noted(request, folder, "file_removed", file, kept)
+        await run_in_threadpool(_noted, request, folder, "file_removed", file, kept)
     return JSONResponse({"files": len(files), "command": command_of(studio_of(request), folder)})
 
 
@@ -61,10 +69,14 @@ async def restore(request: Request) -> Response:
     from variantgen.studio.marking.changes import command_of
 
     data, (folder, _) = await read_json(request), marking_of(request)
-    kept = text_of(data, "kept")
-    other = await run_in_threadpool(folder.restore, kept)
-    _noted(request, folder, "file_restored", kept.partition("-")[2], other)
+    await run_in_threadpool(_restored, request, folder, text_of(data, "kept"))
     return JSONResponse({"command": command_of(studio_of(request), folder)})
+
+
+def _restored(request: Request, folder: MarkingFolder, kept: str) -> None:
+    with folder.lock:
+        other = folder.restore(kept)
+        _noted(request, folder, "file_restored", kept.partition("-")[2], other)
 
 
 async def say(request: Request) -> Response:
@@ -72,13 +84,17 @@ async def say(request: Request) -> Response:
     from variantgen.studio.marking.changes import command_of, said
 
     data, (folder, marked) = await read_json(request), marking_of(request)
-    found = await run_in_threadpool(said, folder, marked, data)
-    deed = {"build": folder.build.key, "before": found["before"], "after": found["typed"]}
-    deed |= {name: str(data[name]) for name in ("code", "problem", "quantity")}
-    if deed["before"] != deed["after"]:
-        about = {"code": deed["code"], "what": f"{deed['problem']}.{deed['quantity']}"}
-        _note(request, "answer_said", about, {"kind": "answer", **deed})
+    found = await run_in_threadpool(said, folder, marked, data, partial(_answered, request, folder, data))
     return JSONResponse({**found, "command": command_of(studio_of(request), folder)})
+
+
+def _answered(request: Request, folder: MarkingFolder, data: dict[str, Any], before: str, text: str) -> None:
+    if before == text:
+        return
+    deed = {"kind": "answer", "build": folder.build.key, "before": before, "after": text}
+    deed |= {name: str(data[name]) for name in ("code", "problem", "quantity")}
+    about = {"code": deed["code"], "what": f"{deed['problem']}.{deed['quantity']}"}
+    _note(request, "answer_said", about, deed)
 
 
 async def policy(request: Request) -> Response:
@@ -88,9 +104,8 @@ async def policy(request: Request) -> Response:
 
     data, (folder, marked) = await read_json(request), marking_of(request)
     language = language_of(request)
-    found = await run_in_threadpool(with_policy, folder, marked, data, language)
-    if "kept" in found:
-        _noted(request, folder, "rules_used", POLICY, found["kept"])
+    done = partial(_noted, request, folder, "rules_used", POLICY)
+    found = await run_in_threadpool(with_policy, folder, marked, data, language, done)
     return JSONResponse({**found, "command": command_of(studio_of(request), folder)})
 
 
@@ -111,8 +126,7 @@ def marking_of(request: Request) -> tuple[MarkingFolder, MarkedBuild]:
 
 def _noted(request: Request, folder: MarkingFolder, words: str, file: str, kept: str) -> None:
     """Note that a file of a marking has come, gone or been replaced; ``kept`` is what is in the bin instead."""
-    deed = {"kind": "file", "build": folder.build.key, "file": file, "kept": kept}
-    _note(request, words, {"file": folder.names().get(file, file)}, deed)
+    _note(request, words, {"file": folder.names().get(file, file)}, of_file(folder, file, kept))
 
 
 def _note(request: Request, words: str, about: dict[str, str], deed: dict[str, str]) -> None:

@@ -9,6 +9,7 @@ import hashlib
 import re
 
 from variantgen.errors import InputError, Problem
+from variantgen.studio.documents.document import ChangedSinceError
 from variantgen.studio.workspace import ROSTER, STATE, Workspace, write_whole
 
 _HASH = re.compile(r"[0-9a-f]{64}")
@@ -37,14 +38,20 @@ def write_list(workspace: Workspace, text: str) -> tuple[str, str]:
 def exchange(workspace: Workspace, old: str, new: str) -> None:
     """Put one list in the place of another, both by their SHA-256, '' for none.
 
-    Raises InputError where the old one is not what is there now.
+    Raises ChangedSinceError where the old one is not what is there now, or the new one is no longer kept.
     """
-    if _hash(_now(workspace)) != old:
-        raise InputError(_CHANGED)
+
+    def compare() -> None:
+        if _hash(_now(workspace)) != old:
+            raise ChangedSinceError(_CHANGED)
+
+    compare()
+    _kept(workspace, _now(workspace))  # its copy may have been removed
     path = workspace.folder / ROSTER
     if new:
-        write_whole(path, _list(workspace, new))
+        write_whole(path, _list(workspace, new), compare)
     else:
+        compare()
         path.unlink(missing_ok=True)
 
 
@@ -67,5 +74,5 @@ def _kept(workspace: Workspace, content: bytes | None) -> str:
 
 def _list(workspace: Workspace, name: str) -> bytes:
     if not _HASH.fullmatch(name) or not (path := workspace.state("roster", "lists", f"{name}.csv")).is_file():
-        raise InputError(Problem("is no longer there", file=ROSTER))
+        raise ChangedSinceError(Problem("is no longer there", file=ROSTER))
     return path.read_bytes()
