@@ -115,6 +115,7 @@ def test_a_scene_driven_by_laws(tmp_path: Path) -> None:
         ('time = "t"', 'time = "k"', ["laws.time", "parameter that is a time", "k"]),
         ('time = "t"\n', "", ["laws.time", "missing"]),
         ('phi = "k * t**2 / (1 + t / t)"', 'phi = "abs(k * t)"', ["laws.phi", "no derivative", "smooth"]),
+        ('phi = "k * t**2 / (1 + t / t)"', 'phi = "k * t^t"', ["laws.phi", "a power that is no whole number", "t^t"]),
         ('phi = "k * t**2 / (1 + t / t)"', "phi = 3", ["laws.phi", "expression in quotes", "3"]),
         ('phi = "k * t**2 / (1 + t / t)"', 'phi = "k * tt"', ["laws.phi", "unknown name", "tt"]),
         ('x_A = "b', 'b = "b', ["laws.b", "the name is taken"]),
@@ -127,6 +128,7 @@ def test_wrong_laws(old: str, new: str, said: list[str], tmp_path: Path) -> None
     with pytest.raises(InputError) as caught:
         read(tmp_path, SCENE.replace(old, new))
     assert all(part in str(caught.value) for part in said), str(caught.value)
+    assert len(caught.value.problems) == 1
 
 
 PLAIN = """

@@ -55,7 +55,10 @@ def test_data_stay_few_and_the_last_dyad_is_asked(made: Path) -> None:
 @pytest.mark.parametrize(
     ("options", "told"),
     [
-        (["--groups", "RRR,XYZ"], "unknown dyad"),
+        (["--groups", "RRR,XYZ"], "unknown group"),
+        (["--groups", ","], "a kind is empty"),
+        (["--groups", "RRR,,RRP"], "a kind is empty"),
+        (["--groups", "RRR,RRR,WR"], "a kind is named twice"),
         (["--links", "4"], "3, 5 or 7"),
         (["--structure", "RRR01", "--level", "hard"], "calculations"),
         (["--groups", "PRP,RPP", "--links", "5"], "no structure is like that"),

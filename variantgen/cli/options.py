@@ -178,4 +178,5 @@ def at_least_one(option: str, value: int) -> int:
 def format_names() -> list[str]:
     """The names of outputs, found without importing them."""
     folder = Path(__file__).parents[1] / "outputs" / "formats"
-    return sorted(info.name for info in pkgutil.iter_modules([str(folder)]))
+    modules = {info.name for info in pkgutil.iter_modules([str(folder)])}
+    return sorted(modules - {"qti"} | {"qti21", "qti30"})  # one module makes both packages of QTI

@@ -114,7 +114,7 @@ def _read(form: Form, names: Sequence[str], key: str) -> list[Quantity]:
                 problems.append(Problem(problem, key=place, value=text, remedy=f"use other points: {shown}"))
             elif quantity.group in ("position", "path", "centre") and (reason := given_position(form, quantity)):
                 problems.append(Problem("is given, so it cannot be asked", key=place, value=text, remedy=reason))
-            if wanted:
+            if wanted or asked.rstrip().endswith(" in"):
                 quantity = in_unit(quantity, wanted, place)
             if quantity not in found:  # a word may have named it
                 found.append(quantity)

@@ -40,7 +40,7 @@ def chosen_structures(groups: tuple[str, ...], links: int | None) -> list[Struct
     are named). Raises InputError for what is unknown, and where there is no such structure.
     """
     problems = [
-        Problem("unknown dyad", key="groups", value=kind, remedy="one of " + ", ".join((*KINDS, *TERMINAL)))
+        Problem("unknown group", key="groups", value=kind, remedy="one of " + ", ".join((*KINDS, *TERMINAL)))
         for kind in groups
         if kind not in (*KINDS, *TERMINAL)
     ]

@@ -18,7 +18,7 @@ DESCRIPTION = (
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
-    parser.add_argument("--groups", default="", metavar="RRR,RRP,...", help="the kinds of its dyads (default: any)")
+    parser.add_argument("--groups", default="", metavar="RRR,RRP,...", help="the kinds of its groups (default: any)")
     parser.add_argument("--links", type=int, metavar="N", help="how many links move: 3, 5 or 7 (4 or 6 with a gear)")
     parser.add_argument("--level", choices=("easy", "medium", "hard"), default="", help="by the work of its solutions")
     parser.add_argument("--structure", default="", metavar="CODE", help="one structure: a code of list --structures")
@@ -56,6 +56,17 @@ def _keep_pools(path: Path) -> None:
     tell(f"{len(found)} families of pools lie beside {path}" if found else f"{path} has no problem with compose = ...")
 
 
+def _groups(text: str) -> tuple[str, ...]:
+    """The kinds of groups that are named; none for no text. Raises InputError for an empty or repeated one."""
+    kinds = tuple(kind.strip() for kind in text.split(",")) if text else ()
+    if "" in kinds:
+        raise InputError(Problem("a kind is empty", key="--groups", value=text, remedy="write it like RRR,RRP"))
+    if len(set(kinds)) < len(kinds):
+        remedy = "name each kind once; how many of them there are is said by --structure CODE"
+        raise InputError(Problem("a kind is named twice", key="--groups", value=text, remedy=remedy))
+    return kinds
+
+
 def run(arguments: argparse.Namespace) -> int:
     """Choose a structure, make the family, say what to do next; or keep the pools of an exam. Raises InputError."""
     _check_together(arguments)
@@ -76,7 +87,7 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.structure:
         structures = [parse_code(arguments.structure)]
     else:
-        groups = tuple(filter(None, arguments.groups.split(",")))
+        groups = _groups(arguments.groups)
         structures = shuffled(chosen_structures(groups, arguments.links), arguments.seed, arguments.level)
     spans = dict.fromkeys((2, 1), LEVELS[arguments.level]) if arguments.level else None
     for number, structure in enumerate(structures[:_MOST], start=1):

@@ -202,6 +202,8 @@ def _read(node: ast.expr, text: str) -> Expression:
             if not 0 <= power <= _MAX_POWER:
                 raise _refuse(text, f"a power above {_MAX_POWER}")
             return Raised(_read(left, text), power)
+        case ast.BinOp(op=ast.Pow()):
+            raise _refuse(text, "a power that is no whole number, as in t^2 (a root is sqrt(t)),")
         case ast.BinOp(left=left, op=ast.Add() | ast.Sub() as op, right=right):
             return Total(((1, _read(left, text)), (1 if isinstance(op, ast.Add) else -1, _read(right, text))))
         case ast.BinOp(left=left, op=ast.Mult(), right=right):

@@ -58,7 +58,7 @@ def split_name(text: str) -> Quantity:
 
 def split_unit(text: str) -> tuple[str, str]:
     """A name and the unit in which its answer is wanted: ``v_B in ft/s`` is ``v_B`` and ``ft/s``; "" without one."""
-    name, _, wanted = text.partition(" in ")
+    name, _, wanted = f"{text} ".partition(" in ")
     return name.strip(), usual_name(wanted)
 
 

@@ -77,7 +77,10 @@ class FormReader:
         self.dimensions = {n: p.unit.dimension if p.unit else (0, 0) for n, p in self.parameters.items()}
         self.kinds = {name: kind_of_parameter(parameter) for name, parameter in self.parameters.items()}
         self._read_derived(self.top.table("derived"))
+        known = len(self.problems)
         self._read_laws(self.top.table("laws"))
+        if len(self.problems) > known:  # what uses a wrong law would only repeat that it is unknown
+            return None
         points = self._templates.points(self.top.table("points"))
         bodies_table = self.top.table("bodies")
         bodies = {name: bodies_table.strings(name) for name in bodies_table.data}

@@ -52,7 +52,7 @@ class Demand:
 
 def demands(form: Form) -> list[Demand]:
     """Everything that must hold of the expressions of a form, whatever the values."""
-    found = [Demand(f"derived.{name}", expression) for name, expression in form.derived.items()]
+    found = [Demand(f"{_section(form, name)}.{name}", expression) for name, expression in form.derived.items()]
     for name, template in form.points.items():
         found += _of_template(template, f"points.{name}")
     for section, templates in (("conditions", form.conditions), ("joints", form.joints), ("drivers", form.drivers)):
@@ -63,6 +63,11 @@ def demands(form: Form) -> list[Demand]:
         for i, disc in enumerate(form.figure.discs, start=1)
     ]
     return [demand for demand in found if demand.allowed or demand.least or demand.expression.risky]
+
+
+def _section(form: Form, name: str) -> str:
+    """Where a derived quantity is written: a law of time, with its derivatives, or one of the others."""
+    return "laws" if name in form.laws or name.removesuffix("_dot").removesuffix("_ddot") in form.laws else "derived"
 
 
 def _of_template(template: ComponentTemplate, key: str) -> Iterator[Demand]:
