@@ -47,6 +47,8 @@ FORMULAS: list[Formula] = [
 ACCELERATION = Symbol("a", (Index("A"),), part=(Index("n"),))
 # Solutions break no formula: there products and sums are set too.
 LONGER: list[Formula] = [
+    Vector(Symbol("v")),
+    Vector(Symbol("a")),
     Vector(Symbol("v", (Index("B"),))),
     Vector(ACCELERATION),
     Symbol(ANGLE + "BOA"),
@@ -76,7 +78,7 @@ PAGES = """#import "common.typ": *
 #show: document-style.with("ru")
 #set page(width: 200pt, height: 60pt, margin: 9pt)
 #for made in (equation, formula) {
-  for markup in json(sys.inputs.data) { page(box(made(markup)) + [.]) }
+  for markup in json(sys.inputs.data) { page(align(center, box(made(markup)) + [.])) }
 }
 """
 NUMBER = r"-?[\d.]+(?:e-?\d+)?"

@@ -41,6 +41,12 @@ def test_a_short_decimal_is_an_answer_without_zeros_after_it(value: float, text:
     assert RU.answer(Quantity("v", "A"), value).text == text
 
 
+def test_a_step_and_its_answer_end_alike() -> None:
+    """2.50049995 is recorded as 2.5005; the step before the answer knows what the answer will be."""
+    assert round_text(2.50049995, 4) == EN.answer(Quantity("a", "A"), 2.50049995).text == "2.501"
+    assert round_text(2.5004999, 4) == EN.answer(Quantity("a", "A"), 2.5004999).text == "2.500"
+
+
 @given(st.floats(1e-6, 1e6))
 def test_a_printed_answer_is_within_its_rounding(value: float) -> None:
     assert abs(float(round_text(value, 4)) / value - 1) <= 0.5e-3

@@ -9,13 +9,13 @@ ANGLE = "angle"
 DRAWING_LENGTH = "drawing length"  # mm on paper, laid off and read to a tenth
 WHOLE_DEGREES = 2  # so many digits of an angle stand before the point, as far as precision goes
 PRINTED_DIGITS = 4  # significant digits of a number of the solution
-# Significant digits that are no rounding of the machine: 10.625 is 10.63, be it 10.624999999999998 there.
-SURE_DIGITS = 13
+RECORDED_DIGITS = 8  # of an answer in keys and manifests, which the last bits of a machine do not change
+SURE_DIGITS = 13  # significant digits that are no rounding of the machine
 
 
 def rounded_to_digits(value: float, digits: int) -> Decimal:
     """A finite number with so many significant digits."""
-    exact = _sure(value)
+    exact = _as_recorded(value, digits)
     rounded = exact.quantize(Decimal(1).scaleb(exact.adjusted() - digits + 1), ROUND_HALF_UP)
     if rounded.adjusted() > exact.adjusted():  # carried into a new leading digit
         rounded = rounded.quantize(Decimal(1).scaleb(rounded.adjusted() - digits + 1))
@@ -24,11 +24,14 @@ def rounded_to_digits(value: float, digits: int) -> Decimal:
 
 def rounded_to_places(value: float, places: int) -> Decimal:
     """A finite number with so many decimals."""
-    return _sure(value).quantize(Decimal(1).scaleb(-places), ROUND_HALF_UP)
+    return _as_recorded(value).quantize(Decimal(1).scaleb(-places), ROUND_HALF_UP)
 
 
-def _sure(value: float) -> Decimal:
-    return Decimal(f"{value:.{SURE_DIGITS - 1}e}")
+def _as_recorded(value: float, digits: int = 0) -> Decimal:
+    """A number as keys have it, so that a step, whose value is not recorded, and its answer, which is read back, end
+    alike: 2.50049995 is recorded as 2.5005 and is 2.501 in both, and 10.625 is 10.63, be it 10.624999999999998 here.
+    """
+    return Decimal(f"{value:.{max(digits, RECORDED_DIGITS) - 1}e}")
 
 
 def rounded(number: float, digits: int, measure: str = "") -> float:

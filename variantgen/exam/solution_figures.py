@@ -138,11 +138,13 @@ class SolutionFigures:
         return SolutionFigure(name, self._drawn[name], self._caption(name), unit)
 
     def _caption(self, name: str) -> Text:
-        """The number and title of a figure, and which centres lie outside it."""
+        """The number and title of a figure, and which centres lie outside it; what curves are over is said once."""
         phrases = load_phrases(self.language.name)
         found: list[str | Formula] = [f"{phrases.words['figure']}\N{NO-BREAK SPACE}{self.numbers[name]}. "]
         kind, _, which = name.partition(":")
-        for part in phrases.sentence(f"figures.{kind}"):
+        curves = [other for other in self.numbers if other.startswith(f"{CURVE}:")]
+        key = "further_curve" if name in curves[1:] else kind
+        for part in phrases.sentence(f"figures.{key}"):
             found += [part] if isinstance(part, str) else self._fact(part, kind, which)
         if self._drawn[name].lengthened:
             found += [" ", *(part for part in phrases.sentence("figures.lengthened") if isinstance(part, str))]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
+from variantgen.algebra.decimals import RECORDED_DIGITS
 from variantgen.families.parameters.units import Unit, unit
 from variantgen.families.quantities.kinds import ACROSS, ALONG, KINDS, MEAN, NATURAL, ROPE, line_ends
 from variantgen.mechanism.linkage import Linkage
@@ -13,7 +14,6 @@ from variantgen.mechanism.rope_speed import rope_piece
 from variantgen.mechanism.scene import Scene
 from variantgen.mechanism.turn.crank_turn import crank_of
 
-_RECORDED = 8  # significant digits
 # An angle of fewer degrees is noise about zero: the tolerance of an angle is some tenths of a degree.
 _NO_ANGLE = 1e-9
 
@@ -219,4 +219,4 @@ def recorded(quantity: Quantity, value: float) -> float:
     """
     if quantity.is_angle and abs(value) < _NO_ANGLE:
         return 0.0
-    return float(f"{value:.{_RECORDED - 1}e}")
+    return float(f"{value:.{RECORDED_DIGITS - 1}e}")
