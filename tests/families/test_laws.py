@@ -188,3 +188,26 @@ def test_a_law_without_a_measure(old: str, new: str, said: list[str], tmp_path: 
     with pytest.raises(InputError) as caught:
         read(tmp_path, text)
     assert all(part in str(caught.value) for part in said), str(caught.value)
+
+
+LADDER = (Path(__file__).parents[1] / "kind_scenes" / "ladder_by_law.toml").read_text("utf-8")
+
+
+@pytest.mark.parametrize(
+    ("scene", "said"),
+    [
+        # s = 1 + 0.5 t^2 at t = 1.2: the derivatives are 1.2 and 1.
+        (LADDER.replace('"s_dot"', '"-s_dot"'), ["drivers[1].v", "expected 1.2 m/s", "is -1.2", "-s_dot", "laws.s"]),
+        (LADDER.replace('"s_dot"', '"2*s_dot"'), ["drivers[1].v", "expected 1.2 m/s", "is 2.4", "2*s_dot", "laws.s"]),
+        (LADDER.replace('"s_ddot"', '"-s_ddot"'), ["drivers[1].a", "expected 1 m/s^2", "is -1", "-s_ddot"]),
+        # pi cos(5 pi / 3) = pi / 2
+        (
+            PLAIN.replace('"phi_dot"', '"-phi_dot"'),
+            ["drivers[2].omega", "expected 1.571 rad/s", "is -1.571", "laws.phi"],
+        ),
+    ],
+)
+def test_a_driver_that_contradicts_its_law(scene: str, said: list[str], tmp_path: Path) -> None:
+    with pytest.raises(InputError) as caught:
+        read(tmp_path, scene)
+    assert all(part in str(caught.value) for part in said), str(caught.value)

@@ -22,8 +22,9 @@ from variantgen.families.parameters.plain_angles import Kind, check_angle, kind_
 from variantgen.families.parameters.reading import check_name, read_parameter, unknown_name
 from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import is_quantity, quantity_names
+from variantgen.families.reading.driven_laws import check_driven
 from variantgen.families.reading.implied import with_blocks, with_stations
-from variantgen.families.reading.soundness import demands
+from variantgen.families.reading.soundness import check_constants
 from variantgen.families.templates import TemplateReader
 from variantgen.limits import DERIVED, GRID, PARAMETERS, PARTS
 from variantgen.mechanism.component import DIMENSIONS
@@ -124,8 +125,10 @@ class FormReader:
             machine=machine,
         )
         with self.top.collecting(""):
-            _check_constants(form)
+            check_constants(form)
             _ = form.plan
+            if self.laws:
+                check_driven(form, self.top.data["laws"]["time"])
             self._check_ask(form)
         return form if len(self.problems) == before else None
 
@@ -289,12 +292,3 @@ class FormReader:
     def _listed(self, name: str, package: str) -> tuple[ComponentTemplate, ...]:
         found = [self._templates.read(table, package) for table in self.top.tables(name)]
         return tuple(template for template in found if template is not None)
-
-
-def _check_constants(form: Form) -> None:
-    """Raise InputError for fixed numbers that cannot be right (a side that is neither left nor right)."""
-    wrong = [d for d in demands(form) if not d.expression.names and not d.met({})]
-    if wrong:
-        raise InputError(
-            [Problem(f"expected {demand.expects}", key=demand.key, value=demand.expression.text) for demand in wrong]
-        )

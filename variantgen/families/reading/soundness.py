@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from variantgen.errors import InputError, Problem
 from variantgen.families.family import ComponentTemplate, Form
 from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.mechanism.arithmetic import Flags, Real
@@ -72,3 +73,12 @@ def _of_template(template: ComponentTemplate, key: str) -> Iterator[Demand]:
         elif isinstance(item, tuple) and spec.part:
             for i, part in enumerate(item, start=1):
                 yield from _of_template(part, f"{key}.{spec.name}[{i}]")
+
+
+def check_constants(form: Form) -> None:
+    """Raise InputError for fixed numbers that cannot be right (a side that is neither left nor right)."""
+    wrong = [d for d in demands(form) if not d.expression.names and not d.met({})]
+    if wrong:
+        raise InputError(
+            [Problem(f"expected {demand.expects}", key=demand.key, value=demand.expression.text) for demand in wrong]
+        )
