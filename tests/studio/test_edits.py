@@ -227,6 +227,26 @@ def test_the_exam_is_there_while_a_deed_is_taken_back(folder: Path) -> None:
     assert exam.undo(change=lambda deed, by: deed) and exam.undo() and "points = 13" not in exam.state().text
 
 
+def test_undo_takes_back_the_step_that_was_seen(folder: Path) -> None:
+    """Two windows press undo of the same answer, or one of them types another: the text of the exam is the same."""
+    exam = document(folder)
+    version = exam.state().version
+
+    def moved(by: int, position: str) -> bool:
+        return exam.undo(by, version, lambda deed, by: deed, position) is not None
+
+    exam.note("answer_said", {}, {"kind": "answer", "after": "1"})
+    one = exam.journal.position
+    exam.note("answer_said", {}, {"kind": "answer", "after": "2"})
+    two = exam.journal.position
+    with pytest.raises(ConflictError):
+        moved(-1, one)
+    assert moved(-1, two)
+    with pytest.raises(ConflictError):
+        moved(-1, two)
+    assert exam.journal.done == 1 and moved(+1, exam.journal.position) and exam.journal.position == two
+
+
 @pytest.mark.parametrize(("error", "left"), [(InputError, 1), (ChangedSinceError, 0)])
 def test_only_what_others_have_changed_is_struck_out(folder: Path, error: type[InputError], left: int) -> None:
     """A fault that passes, as a link in the way, leaves the step: its remedy helps."""

@@ -298,14 +298,15 @@ def test_typed_answers_stand_before_tables_and_are_taken_back(asking: Asking, co
 
 
 def test_what_is_done_to_marks_is_taken_back_in_its_turn(asking: Asking, course: Path, scan_exam: Built) -> None:
-    """By the undo of the exam: an answer, a file, the rules; and done again."""
+    """By the undo of the exam: an answer, a file, the rules; and done again. A window that has seen less takes none."""
     marks, (name, value) = course / "marks" / BUILD, scan_exam.key[0][0]
     problem, quantity = int(name.partition(".")[0]), name.partition(".")[2]
 
     def moved(how: str) -> str:
         """Undo or redo; what comes next."""
-        version = asking.get("/exam/state").json()["version"]
-        assert asking.post(f"/exam/{how}", {"version": version}).status == 200, how
+        data = asking.get("/exam/state").json()
+        assert asking.post(f"/exam/{how}", {**data, "position": "1.5/"}).status == 409, how
+        assert asking.post(f"/exam/{how}", data).status == 200, how
         found: str = asking.get("/exam/state").json()["undo"]
         return found
 

@@ -137,13 +137,15 @@ def _state(words: PageWords, studio: Studio, document: Document | None) -> Mappi
     """The exam as the head of the page shows it."""
     exams = [{"key": key, "name": path.name} for key, path in studio.workspace.exams().items()]
     if document is None:
-        return {"title": "", "file": "", "version": "", "undo": "", "redo": "", "exams": exams, "broken": ""}
+        empty = dict.fromkeys(("title", "file", "version", "position", "undo", "redo", "broken"), "")
+        return {**empty, "exams": exams}
     state = document.state()
     title = state.data.get("title", "")
     return {
         "title": title if isinstance(title, str) and title else document.path.stem,
         "file": document.path.name,
         "version": state.version,
+        "position": document.journal.position,
         "undo": step_words(words, document.journal.undoable),
         "redo": step_words(words, document.journal.redoable),
         "exams": exams,

@@ -26,6 +26,7 @@ from variantgen.methods.steps.point_vectors import Arrow, PointEquation, PointVe
 from variantgen.wording.formula import Formula, to_plain
 
 LONGEST = 56.0  # length of the longest vector, u
+_COLUMN = 104.0  # u: in a column a wider figure has too short vectors, so it is drawn without marks of angles
 _NOTHING = 1e-9  # of the longest vector: there is none
 # Lengths of vectors and size of the bodies, in proportion to the usual ones, tried until letters find room.
 _SIZES = ((1.0, 1.0), (1.25, 1.0), (1.0, 0.75), (1.4, 0.7), (0.8, 1.0), (1.1, 0.9), (1.3, 0.8))
@@ -83,7 +84,9 @@ def _tries(bodies: BodyBoard, named: Vectors, equation: PointEquation, arrows: S
                 board = base.copied()
                 marked = draw_geometry(board, bodies.subject, named.symbols, most)
                 draw_axes(board, board.sketch.at[equation.point], axes, longest)
-                yield board.sketch.finish({name: board.sketch.at[name] for name in board.shown})
+                drawing = board.sketch.finish({name: board.sketch.at[name] for name in board.shown})
+                if drawing.width < _COLUMN or not marked:
+                    yield drawing
 
 
 def _base(

@@ -20,7 +20,7 @@ from variantgen.wording.solution.formulas import Formulas
 from variantgen.wording.solution.quantity_symbols import Symbols
 
 _ARC, _WIDER = 7.0, 3.2  # radius of an arc; how much more that of a further one at the same vertex has, u
-_REFERENCE = 14.0  # length of a side that no line carries, u
+_REFERENCE = 10.5  # length of a side that no line carries, u
 _ON_SIDE = _ARC * np.array([0.6, 0.8, 1.0])  # where a line must lie on a side, u
 _FOOT_SQUARE = 2.2  # the same at the foot of a perpendicular, u
 _SQUARE = 3.2  # side of the mark of a right angle, u

@@ -227,19 +227,23 @@ class Document:
             self.journal.add(self._state.text, self._state.text, words, about, "", deed)
 
     def undo(
-        self, by: int = -1, version: str | None = None, change: Callable[[dict[str, str], int], dict[str, str]] = _never
+        self,
+        by: int = -1,
+        version: str | None = None,
+        change: Callable[[dict[str, str], int], dict[str, str]] = _never,
+        position: str | None = None,
     ) -> FileChange | None:
         """Take the last step back (or do it again, +1); what it was, or None if there is none.
 
         What was done elsewhere is ``change``d by who knows how, and may be another deed after that. It may take
         long, as where scans are read, so that it is done outside the lock. Raises ConflictError where the file has
-        another version than the one that was seen, InputError where the step cannot be taken back now; it is struck
-        out for ChangedSinceError only.
+        another version, or the journal another position, than was seen; InputError where the step cannot be taken back
+        now: it is struck out for ChangedSinceError only.
         """
         with self._lock:
             self._seen = (0, 0)  # what was saved within the same tick of the clock counts, too
             self.refresh()
-            if version is not None and version != self._state.version:
+            if version not in (None, self._state.version) or position not in (None, self.journal.position):
                 raise ConflictError("", None, None, moved=True)
             if self._moving:
                 raise InputError(Problem("another step is being taken back", remedy="wait until that is done"))

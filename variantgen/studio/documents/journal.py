@@ -148,6 +148,11 @@ class Journal:
         """The step that is done again."""
         return self.steps[self.done] if self.done < len(self.steps) else None
 
+    @property
+    def position(self) -> str:
+        """Where undo and redo stand, by the times of their steps: another one as soon as there are other steps."""
+        return "/".join(str(step.time) if step else "" for step in (self.undoable, self.redoable))
+
     def next(self, by: int) -> FileChange | None:
         """The step that undo (-1) or redo (+1) is of."""
         return self.undoable if by < 0 else self.redoable

@@ -92,7 +92,8 @@ async def redo(request: Request) -> Response:
 
 async def _moved(request: Request, by: int) -> Response:
     studio, document, data = studio_of(request), document_of(request), await read_json(request)
-    step = await run_in_threadpool(document.undo, by, text_of(data, "version"), partial(change, studio, document))
+    version, position = text_of(data, "version"), text_of(data, "position") or None
+    step = await run_in_threadpool(document.undo, by, version, partial(change, studio, document), position)
     studio.tell_changed(document, text_of(data, "window", WINDOW))
     return JSONResponse(
         {**answer(request, studio, document), "done": step is not None, "place": _place(document, step)}
@@ -122,6 +123,7 @@ def answer(request: Request, studio: Studio, document: Document) -> dict[str, An
     words, state = page_words(language_of(request)), document.state()
     return {
         "version": state.version,
+        "position": document.journal.position,
         "undo": step_words(words, document.journal.undoable),
         "redo": step_words(words, document.journal.redoable),
         "under": summary(words, studio, document),

@@ -6,7 +6,7 @@ export const all = (selector, inside = document) => [...inside.querySelectorAll(
 export const words = JSON.parse(body.dataset.words);
 export const exam = body.dataset.exam;
 export const lang = document.documentElement.lang;
-export const state = { version: body.dataset.version };
+export const state = { version: body.dataset.version, position: body.dataset.position };
 export const own = Math.random().toString(36).slice(2);
 
 // A phrase of the words with what it names: fill("{n} of {m}", {n: 1, m: 2}).
@@ -60,7 +60,7 @@ export const post = (url, data, options = {}) =>
 
 // ---- edits: one after another, each on the version that the one before it has made; but where others have changed the
 // file since, on the version that was seen when the edit was begun.
-let others = 0;
+let others = 0, elsewhere = 0;  // what other windows have done to marks or the class list leaves the version
 const seen = () => { const then = state.version, before = others; return () => others === before ? state.version : then; };
 let queue = Promise.resolve();
 export const inTurn = work => { const next = queue.then(work, work); queue = next.catch(() => {}); return next; };
@@ -90,7 +90,7 @@ async function outside(data) { others += 1; state.version = data.version; for (c
 const saving = yes => { const place = $("saved"); if (place) place.textContent = yes ? words.saving : place.dataset.saved; };
 // The buttons of undo and the numbers under the steps; what others than edits of the exam do changes them, too.
 export function head(data) {
-  state.version = data.version;
+  state.version = data.version; state.position = data.position;
   for (const [name, at] of [["undo", words.undo], ["redo", words.redo]]) {
     const button = $(name), text = data[name] ? `${at}: ${data[name]}` : at;
     button.disabled = !data[name]; button.title = text;
@@ -115,12 +115,13 @@ async function conflict(data, operations, about) {
   await outside(kept);
   return kept;
 }
-async function step(name, told) {
+async function step(name, told, at) {
   if ($(name).disabled) return;
   const what = $(name).title.split(": ").slice(1).join(": ");
-  const version = seen();
+  const version = seen(), then = state.position, before = others + elsewhere;
+  const position = () => at ?? (others + elsewhere === before ? state.position : then);
   try {
-    const data = await inTurn(async () => { const found = await post(`/${exam}/${name}`, { window: own, version: version() }); await outside(found); return found; });
+    const data = await inTurn(async () => { const found = await post(`/${exam}/${name}`, { window: own, version: version(), position: position() }); await outside(found); return found; });
     go(data.place, fill(told, { what }));
   } catch (error) {
     if (error.status === 409) await inTurn(async () => outside(await get(`/${exam}/state`))); else await renew().catch(() => {});
@@ -138,9 +139,9 @@ function go({ pages, address } = {}, text) {
   sessionStorage.setItem("note", text);
   location.href = to;
 }
-export const undo = () => step("undo", words.taken_back);
+export const undo = at => step("undo", words.taken_back, at);  // a note takes back what it tells of, and nothing that came later
 export const redo = () => step("redo", words.done_again);
-$("undo")?.addEventListener("click", undo);
+$("undo")?.addEventListener("click", () => undo());
 $("redo")?.addEventListener("click", redo);
 
 // ---- notes: ten seconds, with a way back; questions stay until they are answered.
@@ -149,7 +150,8 @@ export function note(text, act = "", done = null, seconds = 10) {
   clearTimeout(hiding);
   const toast = $("toast");
   toast.replaceChildren(el("span", {}, text));
-  if (act) toast.append(el("button", { type: "button", onclick: () => { toast.hidden = true; done(); } }, act));
+  const at = state.position;
+  if (act) toast.append(el("button", { type: "button", onclick: () => { toast.hidden = true; done(at); } }, act));
   toast.hidden = false;
   if (seconds) hiding = setTimeout(() => { toast.hidden = true; }, seconds * 1000);
 }
@@ -184,6 +186,7 @@ function listen() {
 listen();
 on("doc", async data => {
   if (data.exam !== exam || data.window === own) return;
+  elsewhere += 1;
   await inTurn(async () => (data.version === state.version ? settled : outside)(await get(`/${exam}/state`)));
 });
 addEventListener("pagehide", () => source.close());
