@@ -142,7 +142,7 @@ class Markup(ABC):
             case Quotient(above, below):
                 return self.symbol(above) + self.letter(Symbol("/"), None, Mark.NONE) + self.symbol(below)
             case FormulaList(items):
-                names = all(isinstance(item, Symbol) for item in items)
+                names = all(isinstance(item, Symbol | UnitText) for item in items)  # no decimal comma among them
                 return (self.signs.comma if names else self.signs.semicolon).join(map(self.write, items))
             case PointCoordinates(point, x, y):
                 return self.place(
