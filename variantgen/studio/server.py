@@ -131,7 +131,10 @@ def _open(workspace: Workspace, address: str, browser: bool, say: Callable[[str]
 
 
 def listening(port: int | None) -> socket.socket:
-    """A socket of this machine alone: at the port, or at the first that is free."""
+    """A socket of this machine alone: at the port, or at the first that is free.
+
+    Raises InputError where the port is taken.
+    """
     for number in [port] if port is not None else [*range(PORT, PORT + _TRIED), 0]:
         # With the protocol asyncio sends at once; without it a body waits some 40 ms for the head to be acknowledged.
         listener = socket.socket(socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP)

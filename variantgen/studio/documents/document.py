@@ -262,7 +262,7 @@ class Document:
             raise
         else:
             with self._lock:
-                self.journal.settle(step, by, deed)
+                self.journal.finish(step, by, deed)
             return step
         finally:
             self._moving = False

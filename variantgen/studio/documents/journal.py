@@ -166,7 +166,7 @@ class Journal:
         self.done -= place < self.done
         self._write()
 
-    def settle(self, step: FileChange, by: int, deed: dict[str, str]) -> None:
+    def finish(self, step: FileChange, by: int, deed: dict[str, str]) -> None:
         """A step was taken back or done again (+1), and is a deed from now on.
 
         Others may have come meanwhile: below them it is taken out of all, and what was done again is the last of them.
