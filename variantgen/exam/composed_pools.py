@@ -26,6 +26,7 @@ from variantgen.variants.seeding import digest
 _MOST = 60  # structures of a problem of an exam
 _USUAL, _ENOUGH = 10, 5  # of one that does not say how many
 _WIDTH = 1.2  # most calculations over fewest of a pool
+_SETTLED = 3  # families of a pool that say what work the others should take: one alone may lie at the edge of a level
 _EACH, _ROUNDS = 6, 3  # structures looked at for each that is wanted, families of each
 _lasting = ExitStack()
 _pools: dict[tuple[_Options, int | None], tuple[Path, ...]] = {}  # that were made in this process
@@ -143,11 +144,11 @@ def _member(options: _Options, structure: Structure, round_: int, tried: Path, a
 def _aims(options: _Options, best: Sequence[_Member], round_: int) -> dict[int, Span]:
     """How many calculations the next family should take, with accelerations (2) or without (1).
 
-    So many that it goes with those that there are already; any of the level where there are none, at
+    So many that it goes with those that there are already; any of the level where there are few, at
     first with accelerations.
     """
     least, most = LEVELS.get(options.level, (1, MOST))
-    if not best:
+    if len(best) < _SETTLED:
         return dict.fromkeys((2, 1) if round_ else (2,), (least, most))
     own = [member.calculations for member in best]
     span = max(least, math.ceil(max(own) / _WIDTH)), min(most, int(min(own) * _WIDTH))
