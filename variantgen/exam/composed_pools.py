@@ -27,7 +27,7 @@ _MOST = 60  # structures of a problem of an exam
 _USUAL, _ENOUGH = 10, 5  # of one that does not say how many
 _WIDTH = 1.2  # most calculations over fewest of a pool
 _SETTLED = 3  # families of a pool that say what work the others should take: one alone may lie at the edge of a level
-_EACH, _ROUNDS = 6, 3  # structures looked at for each that is wanted, families of each
+_EACH, _ROUNDS = 6, 3  # structures looked at for each that is wanted; families of each, of near ones twice as many
 _lasting = ExitStack()
 _pools: dict[tuple[_Options, int | None], tuple[Path, ...]] = {}  # that were made in this process
 
@@ -115,12 +115,15 @@ def _pool(options: _Options, said: int | None, report: Callable[[int, int], obje
     structures = shuffled(chosen_structures(options.groups, options.links), options.seed, options.level)[
         : _EACH * count
     ]
-    structures.sort(key=lambda structure: any(FRAME not in (dyad.on, dyad.to) for dyad in structure))  # these are far
     usual = [structure for structure in structures if options.level in ("", level(structure))]
+    others = [structure for structure in structures if structure not in usual]
+    far = [s for s in others if any(FRAME not in (dyad.on, dyad.to) for dyad in s)]  # these take too much most times
+    near = [structure for structure in others if structure not in far]
+    few = said or _ENOUGH
     tried = _lasting_folder() / f"tried-{said}"
     made, best = list[_Member](), list[_Member]()
-    for own, enough in ((usual, count), ([s for s in structures if s not in usual], said or _ENOUGH)):
-        for structure, round_ in ((structure, round_) for round_ in range(_ROUNDS) for structure in own):
+    for own, enough, rounds in ((usual, count, _ROUNDS), (near, few, 2 * _ROUNDS), (far, few, 1)):
+        for structure, round_ in ((structure, round_) for round_ in range(rounds) for structure in own):
             if len(best) >= enough:
                 break
             if any(member.structure == structure for member in best):
