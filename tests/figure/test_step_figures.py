@@ -166,6 +166,25 @@ def test_an_angle_is_drawn_as_large_as_its_value_says(name: str, form: str) -> N
             assert any(abs(arc - float(value.removesuffix("°"))) < 0.02 for arc in arcs), (view, value)
 
 
+@pytest.mark.parametrize(
+    ("name", "form", "view", "letter", "line"),
+    [
+        ("falling_rod", "", "velocity_equation:1", "φ", "CA"),  # by which the rod has turned
+        ("two_loop_mechanism", "level", "velocity_projections:AB", "ψ", "AB"),  # of the rod with the level guide
+    ],
+)
+def test_the_letter_of_an_angle_of_a_step_is_in_its_figure(
+    name: str, form: str, view: str, letter: str, line: str
+) -> None:
+    motion, _, figures = solved(name, form, "1")
+    drawing = figures[view].drawing
+    start, end = (complex(motion.z[point][0]) for point in line)
+    slope = math.degrees(abs(cmath.phase((end - start) ** 2))) / 2  # acute, with the horizontal
+    arcs = [math.degrees(abs(arc.sweep)) for arc in drawing.lines if isinstance(arc, Arc) and arc.layer is Layer.MARK]
+    assert letter in {to_plain(label.formula) for label in drawing.labels}
+    assert any(abs(arc - slope) < 0.02 for arc in arcs)
+
+
 def test_the_triangle_of_a_velocity_centre_is_marked() -> None:
     # Offset slider-crank: the angles of AP and AB with the path of B, by which both have one projection on it.
     drawing = solved("slider_crank", "offset", "1")[2]["velocity_centre:AB"].drawing
