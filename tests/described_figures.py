@@ -46,7 +46,7 @@ class DescribedFigure:
     def of_graphs(self) -> set[str]:
         """The symbols at the axes of the graphs below the mechanism, without their units."""
         below = (to_plain(label.formula) for label in self.figure.labels if label.at.imag <= self.figure.graphs)
-        return {text.partition(";")[0] for text in below}
+        return {text.partition(", ")[0] for text in below}
 
     @property
     def labels(self) -> set[str]:
