@@ -19,7 +19,7 @@ import pytest
 from tests.builder.small_exams import TEXT, content, exam, exam_file
 from variantgen.builder import WorkerLostError, build, scheduled_workers
 from variantgen.builder.build_spec import OtherVersionError
-from variantgen.builder.workers import PoolWorkers
+from variantgen.builder.workers import PoolWorkers, local_workers
 from variantgen.cli import main
 from variantgen.errors import InputError
 from variantgen.exam.exam_file import Exam
@@ -235,3 +235,20 @@ def test_threads_take_turns(tmp_path: Path) -> None:
         thread.start()
     for thread in threads:
         thread.join()
+
+
+def test_a_block_ends_though_workers_are_killed_while_they_send() -> None:
+    """What was half sent is waited for by nobody: 60 MB take a pipe long enough for the next to be on its way."""
+
+    def interrupted() -> None:
+        with pytest.raises(KeyboardInterrupt), local_workers(2) as workers:
+            assert isinstance(workers, PoolWorkers)
+            first, *_ = [workers.executor.submit(bytes, 60_000_000) for _ in range(8)]
+            first.result()
+            raise KeyboardInterrupt
+
+    for _ in range(3):
+        thread = threading.Thread(target=interrupted, daemon=True)
+        thread.start()
+        thread.join(30)
+        assert not thread.is_alive()

@@ -122,6 +122,9 @@ def local_workers(processes: int) -> Iterator[Workers]:
             # Nobody waits for what is being done.
             for worker in set(multiprocessing.active_children()) - others:
                 worker.kill()
+            # One that was sending a result has left half of it in the pipe. The thread that reads it would wait for the
+            # rest as long as anybody could still write there, and this process could.
+            pool._result_queue._writer.close()  # type: ignore[attr-defined]
             pool.shutdown(cancel_futures=True)
             raise
 
