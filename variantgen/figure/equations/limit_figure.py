@@ -36,7 +36,7 @@ def _annotate(points: tuple[str, ...], way: complex, board: MotionBoard, stretch
         limit = _on_circle(pivot, distance, centres[0], end) if centres else _on_line(pivot, distance, end, way)
         top = pivot + side * crank * (limit - pivot) / distance
         # The rod over its crank lies on it: its whole length is seen from the pin on.
-        corners = [place for place in (top if side < 0 else pivot, limit, *centres)]
+        corners = [top if side < 0 else pivot, limit, *centres]
         board.sketch.path(corners, Layer.GROUND, THIN, dash="dashed")
         for place, name in ((limit, points[2]), (top, points[1])):
             draw_dot(board, place, _numbered(board.symbol(name), number))
