@@ -17,6 +17,7 @@ from variantgen.algebra.name import Name
 from variantgen.algebra.triples import ratio
 
 _NEXT = 1.5  # units of the last digit: what is nearer is rounded to the next number at most
+_CLOSES = 0.6  # the same for a sum of angles: its last digit is that of the printed terms
 _SAME = 1e-12  # relative difference of two numbers that are one, but for rounding of the arithmetic
 _ROUNDING = 1e-9  # of the natural scale: nothing, in arithmetic with printed numbers
 _ZERO = 1e-10  # of the natural scale: what is smaller is rounding and is shown as zero
@@ -110,7 +111,13 @@ class Value(Expression):
         if self.exact == 0:
             return abs(self.expression.number(exact=False)) <= _ROUNDING * max(self.size, 1.0)
         finest = max(self.decimals, self._usual_decimals)  # of 60 that is computed as 59.98 too
-        return abs(self.expression.number(exact=False) - self.shown) < _NEXT * 10.0**-finest
+        units = _CLOSES if self.is_sum_of_angles else _NEXT
+        return abs(self.expression.number(exact=False) - self.shown) < units * 10.0**-finest
+
+    @property
+    def is_sum_of_angles(self) -> bool:
+        """Whether it is an angle by addition alone, which a reader does without a calculator."""
+        return self.measure == ANGLE and isinstance(self.expression, Total) and self.expression.is_plain
 
     @property
     def decimals(self) -> int:
@@ -172,6 +179,17 @@ class Total(Expression):
     def operands(self) -> Sequence[Expression]:
         """The terms."""
         return [term for _, term in self.terms]
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether its terms are values and numbers, sums of such, or simple parts of them, as half an angle is."""
+        return all(
+            part.is_plain
+            if isinstance(part, Total)
+            else isinstance(part, Constant | Value)
+            or (isinstance(part, Ratio) and isinstance(part.above, Value) and isinstance(part.below, Constant))
+            for _, part in self.terms
+        )
 
     @property
     def begun_by_plus(self) -> Total:
