@@ -288,7 +288,7 @@ def test_no_key_and_no_marks_by_answers_that_somebody_has_edited(
     record["students"][2]["problems"][0]["answers"][0]["value"] *= -1
     (out / "manifest.json").write_text(json.dumps(record), "utf-8")
     before = content(out)
-    options = ["--tolerance", "0.05"] if command == "rekey" else ["--answers", str(answers), "--out", str(marks)]
+    options = ["--tolerance", "0.05"] if command == "rekey" else [str(answers), "--out", str(marks)]
     assert main([command, str(out), *options]) == 2
     assert "the students have been changed since the build" in capsys.readouterr().err
     assert content(out) == before
