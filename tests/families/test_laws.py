@@ -213,3 +213,33 @@ def test_a_driver_that_contradicts_its_law(scene: str, said: list[str], tmp_path
     with pytest.raises(InputError) as caught:
         read(tmp_path, scene)
     assert all(part in str(caught.value) for part in said), str(caught.value)
+
+
+BLOCK = """
+length_unit = "ft"
+ask = ["v_B", "a_B"]
+[parameters]
+t = { unit = "s", values = [10] }
+[laws]
+time = "t"
+s = { law = "t^3 - 6*t^2 - 15*t + 7", unit = "ft" }
+[points]
+B = { coordinates = { x = "s", y = 0 } }
+[bodies]
+block = ["B"]
+[[joints]]
+guide = { point = "B" }
+[[drivers]]
+travel = { point = "B", v = "s_dot" }
+"""
+
+
+def test_an_acceleration_that_is_left_out_follows_from_the_law(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    scene = tmp_path / "block.toml"
+    scene.write_text(BLOCK)
+    assert main(["solve", str(scene)]) == 0
+    said = capsys.readouterr().out
+    # s' = 3 t^2 - 12 t - 15, s'' = 6 t - 12, at 10 s
+    assert "v_B = 165 ft/s\n" in said and "a_B = 48 ft/s^2\n" in said

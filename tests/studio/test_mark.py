@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from PIL import Image
 from playwright.sync_api import expect
 
 from tests.marking.test_scan import STUDENTS, Built, build, filled, written
@@ -23,6 +24,7 @@ from tests.studio.asking import PORT, Answer, Asking
 from tests.studio.conftest import TOKEN, Visit
 from tests.studio.test_pages import barriers
 from variantgen.cli import main
+from variantgen.exam import answer_page
 from variantgen.exam.manifest import Manifest, read_manifest
 from variantgen.studio.app import make_app
 from variantgen.studio.marking.marked import MarkedBuild
@@ -240,6 +242,77 @@ def test_doubtful_readings_are_decided(
     [row] = [row for row in marks_csv if row["code"] == code and row["quantity"] == "v_O"]
     assert row["verdict"] == "right"
     assert asking.get(f"/exam/mark/sheet?build={BUILD}&code={code}&kind=solution").json()["pages"] >= 1
+
+
+def scan_of_two(scan_exam: Built, folder: Path) -> Path:
+    """The scan of two students as a PDF: one with a faint digit, one with a corner mark covered."""
+    own = scan_exam.key[1]
+    page = filled(scan_exam.pages[1], [*(written(value) for _, value in own[:-1]), "77"], [(4, 3, 5, 200)])
+    torn = scan_exam.pages[2].copy()
+    torn.paste(255, (0, torn.height - 200, 200, torn.height))
+    page.save(folder / "scan.pdf", resolution=150, save_all=True, append_images=[torn])
+    return folder / "scan.pdf"
+
+
+def test_the_scan_of_a_student_is_seen(asking: Asking, scan_exam: Built, course: Path, tmp_path: Path) -> None:
+    """Its pages come one by one, upright and to scale, with the boxes that were read; nothing names a path."""
+    path = scan_of_two(scan_exam, tmp_path)
+    assert bring(asking, path.read_bytes(), "../My scan.pdf").status == 200
+    code, torn = scan_exam.code(1), scan_exam.code(2)
+    query = f"build={BUILD}&code={code}"
+    seen = asking.get(f"/exam/mark/scan?{query}").text
+    boxes = re.findall(r'<g class="(\w+)" data-box="([^"]*)">(.*?)</g>', seen)
+    assert [name for _, name, _ in boxes] == [f"{code}.{name}" for name, _ in scan_exam.key[1]]
+    assert [kind for kind, _, _ in boxes] == ["right"] * 4 + ["doubt"] and boxes[4][2].count('class="column"') == 1
+    assert "My scan.pdf, page 1" in seen
+    assert "My scan.pdf, страница 1" in asking.get(f"/exam/mark/scan?{query}&lang=ru").text
+    [address] = re.findall(r'<img src="([^"]*)"', seen)
+    answer = asking.get(address.replace("&amp;", "&"))
+    assert answer.headers["content-type"] == "image/png" and "immutable" in answer.headers["cache-control"]
+    assert asking.get(f"/exam/mark/scan/0?{query}&v=old").headers["cache-control"] == "no-store"
+    with Image.open(io.BytesIO(answer.content)) as image:  # A4, six pixels to the millimetre: the corner marks
+        assert image.size == (1260, 1782)
+        for x, y in answer_page.CORNERS:
+            assert image.getpixel((round(6 * x), round(6 * y))) < 60
+            assert image.getpixel((round(6 * x), round(6 * y) - 20)) > 200
+    unread = asking.get(f"/exam/mark/scan?build={BUILD}&code={torn}").text
+    assert "not all four black squares" in unread and "data-box" not in unread
+    assert "the page could not be read" in shown(asking, code=torn)  # each of its answers waits
+    assert asking.get(f"/exam/mark/scan/0?build={BUILD}&code={torn}").content[1:4] == b"PNG"
+    assert "has been scanned yet" in asking.get(f"/exam/mark/scan?build={BUILD}&code={scan_exam.code(0)}").text
+    for wrong in (f"scan/1?{query}", f"scan?build={BUILD}&code=../x", f"scan/0?build={BUILD}&code={scan_exam.code(0)}"):
+        assert asking.get(f"/exam/mark/{wrong}").status == 404, wrong
+    assert asking.get(f"/exam/mark/scan/..%2f0?{query}").status in (400, 404)
+    file = course / "marks" / BUILD / "answers-1.pdf"
+    file.rename(tmp_path / "elsewhere.pdf")
+    file.symlink_to(tmp_path / "elsewhere.pdf")
+    assert asking.get(f"/exam/mark/scan/0?{query}").status == 404
+
+
+def test_a_scan_is_looked_at_beside_the_answers(visit: Callable[..., Visit], scan_exam: Built, tmp_path: Path) -> None:
+    """In a browser: the box of the answer that has the focus; what is decided; wide and narrow; a file that is gone."""
+    window = visit((scan_exam.folder.parent / "exam.toml").read_text())
+    shutil.copytree(scan_exam.folder, window.folder / "builds" / BUILD)
+    code = scan_exam.code(1)
+    page = window.open("/exam/mark")
+    page.locator("#file").set_input_files(scan_of_two(scan_exam, tmp_path))
+    page.get_by_text("scan.pdf is read.").wait_for()
+    page.locator(f'.people a[data-code="{code}"]').click()
+    page.get_by_role("button", name="Scan", exact=True).click()
+    picture = page.get_by_alt_text(f"Scan of page 1 for answers of the sheet {code}")
+    expect(picture).to_have_js_property("naturalWidth", 1260)
+    page.locator("[data-pick] button").first.focus()
+    expect(page.locator(".scan .now.doubt")).to_have_attribute("data-box", f"{code}.2.v_O")
+    assert barriers(page) == []
+    page.set_viewport_size({"width": 360, "height": 740})
+    assert page.evaluate("document.documentElement.scrollWidth") <= 360
+    page.keyboard.press("0")  # there is no answer: the box is no longer one of a doubt
+    expect(page.locator(".scan .doubt")).to_have_count(0)
+    expect(page.locator(f'.scan .blank[data-box="{code}.2.v_O"]')).to_have_count(1)
+    assert window.complaints == []
+    page.route("**/mark/scan/0?*", lambda route: route.fulfill(status=404, body="{}"))
+    page.keyboard.press("PageDown")
+    page.get_by_text("This page cannot be shown").wait_for()
 
 
 def test_reading_scans_is_stopped(

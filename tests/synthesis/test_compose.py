@@ -152,6 +152,7 @@ def test_a_pool_beside_the_exam_is_taken_as_a_whole(
         ('{ groups = ["RRP"], links = 3, structures = 3 }', "there are only 2 such structures"),
         ("{ structures = 0 }", "from 1 to 60"),
         ('{ group = ["RRP"] }', "did you mean"),
+        ('{ groups = ["RRP", "RRP"] }', "a kind is named twice"),
     ],
 )
 def test_a_pool_that_cannot_be_is_told(

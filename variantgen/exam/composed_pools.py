@@ -65,7 +65,7 @@ def read_composed(
     are fewer than wanted. ``tell`` is told how many families of it are made.
     """
     noted = len(table.problems)
-    groups = tuple(dict.fromkeys(table.strings("groups")))
+    groups = table.strings("groups")
     wanted = table.choice("level", tuple(LEVELS)) if "level" in table.data else ""
     table.expect("level")
     links = table.take("links", int, 0) if "links" in table.data else None
@@ -76,6 +76,8 @@ def read_composed(
     table.finish()
     if said is not None and not 1 <= said <= _MOST:
         table.problem(f"expected a number from 1 to {_MOST}", "structures", said)
+    if len(set(groups)) < len(groups):
+        table.problem("a kind is named twice", "groups", ", ".join(groups), "name each kind once")
     with table.collecting(""):
         there = len(chosen_structures(groups, links))
         if there < (said or 1):

@@ -32,7 +32,8 @@ _TURN, _LINES, _NUMBERS = 360, 30, 60  # degrees: the whole way, between lines, 
 _MOST = 5  # lines of the grid above zero
 _SAMPLES = 181
 _CLEAR = 1.2  # u between the grid and its numbers
-_HAIR = 0.4 * THIN  # lines of a grid, which no curve is taken for
+_HAIR = 0.25 * THIN  # lines of a grid, which no curve is taken for
+_BEYOND, _HEAD = 4.0, 2.2  # u: of an axis beyond its grid, and its head
 
 
 _Parts: TypeAlias = tuple[list[Line], list[Label]]
@@ -100,10 +101,19 @@ def _grid(across: _Axis, up: _Axis, titles: tuple[Formula, Formula], degrees: bo
         if numbered:
             labels.append(_label(language.decimal(value), foot - _CLEAR, -1 - 0.5j))
     zero = complex(0, up.at(0.0))
-    lines += [_line(zero, zero + right, MEDIUM), _line(0j, top, MEDIUM)]
-    labels.append(_label(titles[0], top + 3.5j, -0.5 + 0j))
-    labels.append(_label(titles[1], right + 2 + 1.0j, 0j))
+    lines += [*_arrow(zero, zero + right + _BEYOND), *_arrow(0j, top + 1j * _BEYOND)]
+    labels.append(_label(titles[0], top + 1j * (_BEYOND + 1.5), -0.5 + 0j))
+    labels.append(_label(titles[1], right + _BEYOND + 1 + 1.0j, 0j))
     return lines, labels
+
+
+def _arrow(start: complex, end: complex) -> tuple[Line, Line]:
+    """An axis with its head."""
+    way = (end - start) / abs(end - start)
+    wing = 0.31 * _HEAD * 1j * way
+    foot = end - _HEAD * way
+    head = Path((end, foot + wing, foot - wing), Layer.LINK, 0.0, closed=True, fill="ink")
+    return _line(start, end - 0.8 * _HEAD * way, MEDIUM), head
 
 
 def grid(curve: TurnCurve, language: Language, drawn: bool) -> Drawing:
@@ -135,7 +145,8 @@ def rate_graph(variant: Variant, language: Language) -> Drawing:
     change = sign * acceleration * time
     high = rate + abs(change)
     every = next(many for many in (1, 2, 5, 10) if high / step <= 7 * many)
-    up = _Axis(Decimal(0), high, step, every, _HEIGHT)
+    numbered = every * step
+    up = _Axis(Decimal(0), math.ceil(high / numbered) * numbered, step, every, _HEIGHT)  # its top has a number
     across = _Axis(Decimal(0), 2 * time, time / 2, 1, _WIDTH)
     parameter = form.parameters[form.figure.graph[0]]
     assert parameter.unit is not None, "a rate has a unit"

@@ -1,7 +1,7 @@
 """Every printed line is recomputed from its printed numbers, and no number has more digits than a hand would write.
 
-After "=" a reader with a calculator gets the printed number but for one in its last digit (1.5 units, by rounding);
-after "≈" what it misses by is small beside the number.
+After "=" a reader with a calculator gets the printed number but for one in its last digit (1.5 units, by rounding),
+and where angles are added the printed number itself; after "≈" what it misses by is small beside the number.
 """
 
 from __future__ import annotations
@@ -34,7 +34,8 @@ SEEDS = 4
 CASES, IDS = cases("projections", "velocity_pole", "acceleration_centre")
 NEAR = 0.02  # by how much a number after "≈" may be off
 COMPONENTS = (" x", " y", " n", " t", " τ", " ξ", " η")  # along an axis, with a sign
-DIGITS = 4  # significant digits of a printed number; one more where the first is a 1
+DIGITS = 4  # significant digits of a printed number
+ANGLES_ADDED = re.compile(r"[−(]*[\d.,]+°(/2)?\)?( ?[+−] ?\(?[\d.,]+°(/2)?\)?)+")
 ANGLE_DECIMALS = 2
 
 
@@ -136,7 +137,7 @@ class Reader:
         """What a reader gets from a text: the number but for one in its last digit, or nearly that by rounding."""
         found = evaluate(text, self.known, self.mark)
         self.checked += 1
-        allowed = 1.5 * unit
+        allowed = (0.6 if ANGLES_ADDED.fullmatch(text) else 1.5) * unit
         if sign == "≈":
             by_rounding = 1.01 * self.doubt(text) + unit
             allowed = max(allowed, min(by_rounding, NEAR * abs(wanted) or by_rounding))
@@ -234,7 +235,7 @@ def too_long(text: str, is_angle: bool, data: set[float], mark: str) -> bool:
     if mark not in text:
         digits = digits.rstrip("0")
     decimals = len(text.partition(mark)[2])
-    return (is_angle and decimals > ANGLE_DECIMALS) or len(digits) > DIGITS + digits.startswith("1")
+    return decimals > ANGLE_DECIMALS if is_angle else len(digits) > DIGITS
 
 
 def last_of(found: SolutionText) -> dict[str, str]:

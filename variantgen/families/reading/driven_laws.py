@@ -5,7 +5,9 @@ Compared are numbers, at an instant t and shortly before and after it, for value
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -24,6 +26,31 @@ _DRAWS = 32
 _STEP = 2e-5  # s; short for a fast machine, and rounding does not show in the differences
 _NEAR = 0.01  # relative difference of rates that are the same
 _UNITS = {"velocity": "m/s", "acceleration": "m/s^2", "angular velocity": "rad/s", "angular acceleration": "rad/s^2"}
+
+
+def with_accelerations(
+    drivers: Sequence[ComponentTemplate], laws: Collection[str], expression: Callable[[str], FamilyExpression]
+) -> tuple[ComponentTemplate, ...]:
+    """The drivers, each whose velocity is by a law of time with the acceleration by the same law.
+
+    One that states no acceleration gets that with ``x_ddot`` in the place of ``x_dot``, along the velocity: the
+    derivative where all else is constant, and :func:`check_driven` refuses it where it is not.
+    """
+
+    def whole(template: ComponentTemplate) -> ComponentTemplate:
+        velocity = _field(template, "velocity")
+        lacking = [spec.name for spec in field_specs(template.component) if _measures(spec.dimension, "acceleration")]
+        if velocity is None or not lacking or lacking[0] in template.fields:
+            return template
+        if not velocity[1].names & {f"{law}_dot" for law in laws}:
+            return template
+        text = re.sub(rf"\b({'|'.join(map(re.escape, laws))})_dot\b", r"\1_ddot", velocity[1].text)
+        added = {lacking[0]: expression(text)}
+        if "angle" in template.fields and "a_angle" in (spec.name for spec in field_specs(template.component)):
+            added = {"a_angle": template.fields["angle"]} | added
+        return replace(template, fields={**added, **template.fields})
+
+    return tuple(map(whole, drivers))
 
 
 def check_driven(form: Form, time: str) -> None:
@@ -72,9 +99,13 @@ def _field(template: ComponentTemplate, measure: str) -> _Field | None:
     """The field of a driver that is a velocity or an acceleration, of a point or of a body."""
     for spec in field_specs(template.component):
         item = template.fields.get(spec.name)
-        if spec.dimension in (measure, f"angular {measure}") and isinstance(item, FamilyExpression):
+        if _measures(spec.dimension, measure) and isinstance(item, FamilyExpression):
             return spec.name, item, _UNITS[spec.dimension]
     return None
+
+
+def _measures(dimension: str, measure: str) -> bool:
+    return dimension in (measure, f"angular {measure}")
 
 
 def _by_place(form: Form, driver: int, values: Sequence[_Values], used: Sequence[str]) -> _Wrong | None:

@@ -22,7 +22,7 @@ from variantgen.families.parameters.plain_angles import Kind, check_angle, kind_
 from variantgen.families.parameters.reading import check_name, read_parameter, unknown_name
 from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import is_quantity, quantity_names
-from variantgen.families.reading.driven_laws import check_driven
+from variantgen.families.reading.driven_laws import check_driven, with_accelerations
 from variantgen.families.reading.implied import with_blocks, with_stations
 from variantgen.families.reading.soundness import check_constants
 from variantgen.families.templates import TemplateReader
@@ -90,6 +90,7 @@ class FormReader:
             self._listed(name, f"variantgen.mechanism.{name}") for name in ("conditions", "joints", "drivers")
         )
         if len(self.problems) == before:
+            drivers = with_accelerations(drivers, self.laws, self.expression)
             joints = with_blocks(with_stations(joints, drivers, bodies), drivers, bodies)
         screens = read_screens(self.top.table("screens"), self.expression, points)
         pose = read_pose(self.top.table("pose"))

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from variantgen.families.quantities import Quantity
 from variantgen.figure.build import mechanism
 from variantgen.figure.drawing import BOLD, THIN, Layer, Line
-from variantgen.figure.equations.surroundings import Surroundings, largest
+from variantgen.figure.equations.surroundings import Surroundings, largest, size_of
 from variantgen.figure.ink import segments_of, spaced
 from variantgen.figure.motion.contact_letters import draw_dot
 from variantgen.figure.motion.motion_board import LEAST, MotionBoard, head_of
@@ -28,6 +28,7 @@ from variantgen.wording.language import Language
 WIDE, HIGH = 80.0, 82.0  # room for a figure but for its labels, u
 _BODY_WIDE, _BODY_HIGH = 80.0, 73.0  # room for the bodies, u
 _SMALLER = 0.93  # steps in which room is sought
+_SHORTEST = 24.0  # the longest vector becomes no shorter, u
 _LEAST_BODY, _LEAST_RODS = 0.05, 0.5  # of the largest scale: how small bodies, and links between points, become
 _LANE = 2.3  # between arrows that would lie on each other, u
 _HEAD = 1.5  # end of an arrow that no hinge may hide, u
@@ -97,17 +98,31 @@ class BodyBoard:
         """The place of a point (m)."""
         return complex(self.subject.motion.z[point][self.subject.index])
 
-    def scale(self, spread: Callable[[float], Sequence[complex]] = lambda scale: (), size: float = 1.0) -> float:
-        """The largest scale (u per metre) at which the bodies have room with what is ``spread`` at a scale."""
+    def fitted(
+        self, spread: Callable[[float, float], Sequence[complex]], longest: float, size: float = 1.0
+    ) -> tuple[float, float]:
+        """The largest scale (u per metre) at which the bodies have room, and the length of the longest vector (u).
+
+        They have it with what is ``spread`` at a scale and a length. Vectors ``longest`` at first become shorter until
+        they are no longer than the bodies are large: else these would be lost between their arrows.
+        """
         z = {name: self.place(name) for name in self.subject.motion.z}
         bodies = self._surroundings(z, 1.0).extent()
+        whole = size_of(bodies)
         most = largest(bodies, size * _BODY_WIDE, size * _BODY_HIGH)
         if not math.isfinite(most):
             most = largest([z[name] for name in self.named], size * _BODY_WIDE, size * _BODY_HIGH)
-        scale, least = most, (_LEAST_RODS if self._rods else _LEAST_BODY) * most
-        while scale > least and largest([*(scale * place for place in bodies), *spread(scale)], WIDE, HIGH) < 1.0:
-            scale *= _SMALLER
-        return scale
+        least = (_LEAST_RODS if self._rods else _LEAST_BODY) * most
+        while True:
+            scale = most
+            outline = [*(scale * place for place in bodies), *spread(scale, longest)]
+            while scale > least and largest(outline, WIDE, HIGH) < 1.0:
+                scale *= _SMALLER
+                outline = [*(scale * place for place in bodies), *spread(scale, longest)]
+            shortest = min(longest, max(_SHORTEST, scale * max(whole.real, whole.imag)))
+            if not whole or longest <= shortest:
+                return scale, longest
+            longest = max(_SMALLER * longest, shortest)
 
     def drawn(self, scale: float) -> MotionBoard:
         """The board at a scale with the bodies on it."""

@@ -121,12 +121,9 @@ class BodyFigure:
         self.subject, self.named, self.now, self.body, self.order = subject, named, now, body, order
         self.moving = list(moving)
         self._touching = touching
-        shown = {**moving, **{name: contact.velocity for name, contact in touching.items() if contact.velocity}}
+        self._shown = {**moving, **{name: contact.velocity for name, contact in touching.items() if contact.velocity}}
         self._places = {**{name: now.z[name] for name in moving}, **{n: c.place for n, c in touching.items()}}
-        lengths, self._lengthened = sizes([abs(vector) for vector in shown.values()], stretch * _LONGEST, subject.least)
-        self._vectors = {
-            name: length * vector / abs(vector) for (name, vector), length in zip(shown.items(), lengths, strict=True)
-        }
+        self._longest = stretch * _LONGEST
         further = [contact.place for contact in touching.values()]
         # The wheel itself, where only points of its rim are at rest or move.
         points = self.moving or list(now.scene.bodies[body][:1])
@@ -156,21 +153,21 @@ class BodyFigure:
         if centre is None:
             return self.by_vectors(self.bodies)
 
-        def spread(scale: float) -> list[complex]:
-            return [*self._tips(scale), *(scale * centre + way for way in _ROUND)]
+        def spread(scale: float, longest: float) -> list[complex]:
+            return [*self._tips(scale, longest), *(scale * centre + way for way in _ROUND)]
 
-        scale = self.bodies.scale(spread)
+        scale, longest = self.bodies.fitted(spread, self._longest)
         size = max((abs(self.now.z[p] - self.now.z[q]) for p in self.moving for q in self.moving), default=0.0)
         small = size > 0 and size * scale < _LEAST_BODY
         needed = self.order == 1 and (not small or self.subject.geometry.feet)
         bodies = self.bodies if needed else self.alone
         if not needed:
-            scale = bodies.scale(spread)
+            scale, longest = bodies.fitted(spread, self._longest)
             if short := [crank for crank in self._cranks() if self._reach(crank) * scale < _WHOLE_CRANK]:
                 # It would be a hinge without a letter.
                 bodies = BodyBoard(self.subject, (self.body, *short), self.moving)
-                scale = bodies.scale(spread)
-        board = self._board(bodies, scale)
+                scale, longest = bodies.fitted(spread, self._longest)
+        board = self._board(bodies, scale, longest)
         board.sketch.at["centre"] = scale * centre
         rays = [(board.sketch.at[name], scale * centre) for name in self.moving[:_MANY_RAYS]]
         for start, end in rays:
@@ -206,7 +203,7 @@ class BodyFigure:
 
     def by_vectors(self, bodies: BodyBoard) -> MotionBoard:
         """With the vectors (and points of contact) alone."""
-        return self._board(bodies, bodies.scale(self._tips))
+        return self._board(bodies, *bodies.fitted(self._tips, self._longest))
 
     def completed(self, board: MotionBoard, kind: str, most: int) -> tuple[Drawing, int]:
         """The figure with at most so many angles, and how many it has; the sense of the rate goes where room is left.
@@ -237,11 +234,18 @@ class BodyFigure:
             return None
         return self.now.z[first] + 1j * self.now.v[first] / omega
 
-    def _tips(self, scale: float) -> list[complex]:
-        return [scale * self._places[name] + 1.1 * vector for name, vector in self._vectors.items()]
+    def _drawn(self, longest: float) -> tuple[dict[str, complex], bool]:
+        """The vectors as they are drawn (u), and whether any is lengthened to be seen."""
+        lengths, lengthened = sizes([abs(vector) for vector in self._shown.values()], longest, self.subject.least)
+        drawn = zip(self._shown.items(), lengths, strict=True)
+        return {name: length * vector / abs(vector) for (name, vector), length in drawn}, lengthened
 
-    def _board(self, bodies: BodyBoard, scale: float) -> MotionBoard:
-        """The bodies with the vectors."""
+    def _tips(self, scale: float, longest: float) -> list[complex]:
+        return [scale * self._places[name] + 1.1 * vector for name, vector in self._drawn(longest)[0].items()]
+
+    def _board(self, bodies: BodyBoard, scale: float, longest: float) -> MotionBoard:
+        """The bodies with the vectors, of which the longest has this length (u)."""
+        self._vectors, self._lengthened = self._drawn(longest)
         board = bodies.drawn(scale)
         for name, contact in self._touching.items():
             if name not in board.shown:

@@ -34,7 +34,8 @@ def draw_chain(subject: FigureSubject) -> Drawing:
     bodies = subject.variant.form.bodies
     links = [next(name for name, members in bodies.items() if set(pair) <= set(members)) for pair in pairwise(points)]
     board = BodyBoard(subject, links, points)
-    drawn = board.drawn(board.scale(lambda scale: [_AXIS, _AXIS * 1j]))
+    scale, _ = board.fitted(lambda scale, longest: [_AXIS, _AXIS * 1j], 0.0)
+    drawn = board.drawn(scale)
     sketch = drawn.sketch
     for number, (start, end) in enumerate(pairwise(points), 1):
         at, way = sketch.at[start], sketch.at[end] - sketch.at[start]

@@ -97,12 +97,17 @@ def _base(
     letters = {arrow.name: named.symbols.letter(arrow.name) for arrow in arrows}
     # Equal vectors are one arrow with both names; none is left out, however short.
     together = named_together([(letters[a.name], a.vector) for a in arrows], math.inf)
-    drawn, lengthened = _tips(together, longest, bodies.subject.least)
+    drawn, _ = _tips(together, longest, bodies.subject.least)
     share = _BESIDE_RODS if equation.rods else _SHARE
-    if (room := largest([0j, *drawn], share * WIDE, share * HIGH)) < 1.0:  # they would leave none for the bodies
-        longest *= room
-        drawn, lengthened = _tips(together, longest, bodies.subject.least)
-    scale = bodies.scale(lambda scale: [scale * place, *(scale * place + 1.1 * vector for vector in drawn)], size)
+    # Else they would leave none for the bodies.
+    longest *= min(1.0, largest([0j, *drawn], share * WIDE, share * HIGH))
+
+    def spread(scale: float, longest: float) -> list[complex]:
+        drawn, _ = _tips(together, longest, bodies.subject.least)
+        return [scale * place, *(scale * place + 1.1 * vector for vector in drawn)]
+
+    scale, longest = bodies.fitted(spread, longest, size)
+    drawn, lengthened = _tips(together, longest, bodies.subject.least)
     board = bodies.drawn(scale)
     draw_point(board, equation.point)
     at = board.sketch.at[equation.point]

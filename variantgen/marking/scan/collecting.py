@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -14,6 +13,7 @@ from variantgen.marking.answer_tables import HandedIn, NotMatched
 from variantgen.marking.key import Key, is_right
 from variantgen.marking.scan.confirming import Confirmed, confirmed
 from variantgen.marking.scan.copies import DIFFER, ScannedAnswer, decided
+from variantgen.marking.scan.excerpts import answer_png, thumbnail_png
 from variantgen.marking.scan.pages import PageCode, ReadPage, read_page
 from variantgen.marking.scan.pictures import Grey, ScanImage, check_packages, pictures
 from variantgen.marking.scan.registration import Placed
@@ -23,8 +23,6 @@ from variantgen.outputs.qr import VERSION
 Question = tuple[int, int, str]  # the place of the student, the number of the problem, the name of the quantity
 
 _BLANK_SHARE = 2e-4  # of dark pixels: what has fewer is the empty back of a page
-_CROP = 7.0  # pixels to the millimetre of a picture for review
-_THUMBNAIL = 900
 _MISSING, _NOT_READ = "page missing", "page not read"
 
 
@@ -37,11 +35,32 @@ class LostPage:
     picture: bytes = b""
 
 
+@dataclass(frozen=True)
+class SeenPage:
+    """A page for answers of a student whose code was read: where it is, and how it lies there.
+
+    ``number`` is that of the page for answers, ``within`` that of the page within its file, from 1; ``asked`` are its
+    answers in their order. A page that could not be read has no ``placed``, but ``why``.
+    """
+
+    path: Path
+    within: int
+    where: str
+    number: int
+    asked: tuple[Question, ...]
+    placed: Placed | None = None
+    why: str = ""
+
+
 @dataclass
 class Scans:
-    """What the scans of a class hold, by question; ``lost`` are pages that a person should look at."""
+    """What the scans of a class hold, by question; ``lost`` are pages that a person should look at.
+
+    ``pages`` are those of each student, by the place of the student.
+    """
 
     answers: dict[Question, ScannedAnswer] = field(default_factory=dict)
+    pages: dict[int, list[SeenPage]] = field(default_factory=dict)
     not_matched: list[NotMatched] = field(default_factory=list)
     lost: list[LostPage] = field(default_factory=list)
 
@@ -82,7 +101,7 @@ def collect(
     for path in paths:
         name = path.name if names is None else names[path]
         for number, picture in enumerate(pictures(path), start=1):
-            class_.add(replace(picture, where=name + picture.where.removeprefix(path.name)))
+            class_.add(replace(picture, where=name + picture.where.removeprefix(path.name)), path, number)
             tell(path, number)
         class_.end_of_file(name)
     class_.end()
@@ -101,8 +120,8 @@ class _Class:
         self._readings: dict[Question, list[ScannedAnswer]] = {}
         self._left_out: dict[str, list[str]] = {}
 
-    def add(self, picture: ScanImage) -> None:
-        """Read a page."""
+    def add(self, picture: ScanImage, path: Path, within: int) -> None:
+        """Read a page, the one of this number within its file."""
         found = read_page(picture, lambda code: len(self._asked(code)))
         if found.code is None:
             self._without_code(found, picture.grey)
@@ -112,11 +131,16 @@ class _Class:
             self.scans.not_matched.append(NotMatched(found.where, code.sheet, why))
         elif not code.number:
             self._left_out.setdefault("pages of problems", []).append(found.where)
-        elif found.why:
-            self._not_read.setdefault((self._sheets[code.sheet], code.number), found.where)
-            self._lose(found, picture.grey, self._page(self._sheets[code.sheet], code.number))
         else:
-            self._take(found, code, picture.grey)
+            place = self._sheets[code.sheet]
+            asked = tuple(self._asked(code))
+            seen = SeenPage(path, within, found.where, code.number, asked, found.placed, found.why)
+            self.scans.pages.setdefault(place, []).append(seen)
+            if found.why:
+                self._not_read.setdefault((place, code.number), found.where)
+                self._lose(found, picture.grey, self._page(place, code.number))
+            else:
+                self._take(found, code, picture.grey)
 
     def _asked(self, code: PageCode) -> list[Question]:
         """What a page asks; nothing for one that is not of this exam."""
@@ -155,7 +179,7 @@ class _Class:
     def _lose(self, found: ReadPage, grey: Grey | None, text: str) -> None:
         remedy = "scan it again, or type its answers into a table"
         self.scans.not_matched.append(NotMatched(found.where, text, found.why, remedy))
-        self.scans.lost.append(LostPage(found.where, found.why, b"" if grey is None else _thumbnail(grey)))
+        self.scans.lost.append(LostPage(found.where, found.why, b"" if grey is None else thumbnail_png(grey)))
 
     def _take(self, found: ReadPage, code: PageCode, grey: Grey | None) -> None:
         """Take the answers of a page; one that is there twice is decided about in the end."""
@@ -173,7 +197,7 @@ class _Class:
 
             result = confirmed(read, right)
             readings = self._readings.setdefault(asked, [])
-            picture = _block(grey, found.placed, block) if result.why or readings else b""
+            picture = answer_png(grey, found.placed, block) if result.why or readings else b""
             readings.append(ScannedAnswer(found.where, result, picture, read.others, read.seen))
 
     def end_of_file(self, name: str) -> None:
@@ -229,27 +253,3 @@ def _ranges(numbers: Sequence[int]) -> str:
         else:
             runs.append([number])
     return ", ".join(f"{run[0]}-{run[-1]}" if len(run) > 1 else str(run[0]) for run in runs)
-
-
-def _block(grey: Grey, placed: Placed, block: int) -> bytes:
-    """The picture of an answer, upright."""
-    left, top = answer_page.block_corner(block)
-    columns, rows = round(_CROP * answer_page.BLOCK_WIDTH), round(_CROP * answer_page.BLOCK_HEIGHT)
-    x, y = np.meshgrid(left + (np.arange(columns) + 0.5) / _CROP, top + (np.arange(rows) + 0.5) / _CROP)
-    u, v = placed.pixels(x, y)
-    u = np.clip(np.rint(u).astype(int), 0, grey.shape[1] - 1)
-    v = np.clip(np.rint(v).astype(int), 0, grey.shape[0] - 1)
-    return _png(grey[v, u])
-
-
-def _thumbnail(grey: Grey) -> bytes:
-    step = max(1, -(-max(grey.shape) // _THUMBNAIL))
-    return _png(np.ascontiguousarray(grey[::step, ::step]))
-
-
-def _png(grey: Grey) -> bytes:
-    from PIL import Image
-
-    file = io.BytesIO()
-    Image.fromarray(grey // 17 * 17).save(file, "PNG", optimize=False)  # 16 levels are enough to look at
-    return file.getvalue()

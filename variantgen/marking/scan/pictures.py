@@ -52,8 +52,11 @@ def check_packages() -> None:
             raise missing_package("scans are read with", package, "scan") from None
 
 
-def pictures(path: Path) -> Iterator[ScanImage]:
-    """The pages of a file one by one. Raises InputError for a file that cannot be opened or is too large."""
+def pictures(path: Path, only: int = 0) -> Iterator[ScanImage]:
+    """The pages of a file one by one, or ``only`` that of a number, from 1 (none where the file has fewer pages).
+
+    Raises InputError for a file that cannot be opened or is too large.
+    """
     try:
         with path.open("rb") as file:
             head = file.read(5)
@@ -61,7 +64,7 @@ def pictures(path: Path) -> Iterator[ScanImage]:
             raise _refused(path, f"the file is larger than {SCAN_BYTES // 1_000_000} MB", "part it into several files")
     except OSError as error:
         raise InputError(Problem(f"cannot be read: {error.strerror}", file=str(path))) from None
-    yield from _pdf_pages(path) if head == b"%PDF-" else _image_pages(path)
+    yield from _pdf_pages(path, only) if head == b"%PDF-" else _image_pages(path, only)
 
 
 def page_count(path: Path) -> int:
@@ -92,7 +95,7 @@ def _too_large(path: Path) -> InputError:
     return _refused(path, f"has more than {SCAN_PIXELS // 1_000_000} million pixels", "scan it with 200 to 300 dpi")
 
 
-def _pdf_pages(path: Path) -> Iterator[ScanImage]:
+def _pdf_pages(path: Path, only: int) -> Iterator[ScanImage]:
     import pypdfium2
 
     try:
@@ -105,7 +108,7 @@ def _pdf_pages(path: Path) -> Iterator[ScanImage]:
         count = len(document)
         if count > SCAN_PAGES:
             raise _refused(path, f"has more than {SCAN_PAGES} pages", "part it into several files")
-        for number in range(count):
+        for number in range(only - 1, min(only, count)) if only else range(count):
             where = f"{path.name}, page {number + 1}"
             try:
                 page = document[number]
@@ -161,7 +164,7 @@ def _image_of(image: Any) -> Image:
     return found.reduce(2) if max(found.size) >= _HALVED and found.mode in ("L", "RGB") else found
 
 
-def _image_pages(path: Path) -> Iterator[ScanImage]:
+def _image_pages(path: Path, only: int) -> Iterator[ScanImage]:
     from PIL import Image, ImageSequence, UnidentifiedImageError
 
     try:
@@ -177,6 +180,8 @@ def _image_pages(path: Path) -> Iterator[ScanImage]:
             raise _too_large(path)
         several = getattr(image, "n_frames", 1) > 1
         for number, frame in enumerate(ImageSequence.Iterator(image) if several else [image], start=1):
+            if only and number != only:
+                continue
             where = f"{path.name}, page {number}" if several else path.name
             if number > SCAN_PAGES:
                 raise _refused(path, f"has more than {SCAN_PAGES} pages", "part it into several files")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 
 from variantgen.algebra.decimals import PRINTED_DIGITS
 from variantgen.algebra.expression import Value
@@ -29,29 +29,28 @@ from variantgen.methods.steps.step_geometry import ChainGraph
 def choose_printed_digits(items: Iterable[Item], answers: Sequence[Value]) -> None:
     """Give every value its printed number, of four significant digits.
 
-    Where a line does not come out by that, numbers in it that begin with a one have a digit more, ``1037.5 / 36.88``,
-    if it then does, and they follow with it from the numbers before; not answers, which are printed as in the key.
+    A sum of angles is that of the printed ones, ``56.85 + 13.60 = 70.45`` where the angle itself is 70.456, if every
+    line that it leads to still comes out; not an answer, which is printed as in the key.
     """
     values = in_order([*items_values(items), *answers])
-    alike: dict[float, list[Value]] = {}
     for value in values:
         value.round_to(PRINTED_DIGITS)
-        if f"{abs(value.exact):e}".startswith("1") and value.measure != "angle":
-            alike.setdefault(abs(value.exact), []).append(value)
-    for answer in answers:
-        alike.pop(abs(answer.exact), None)
-    longer: set[float] = set()
+    led_to: dict[Value, list[Value]] = {}
     for value in values:
-        if not value.comes_out and value.expression is not None:
-            sizes = {abs(part.exact) for part in made_of(value)} & alike.keys() - longer
-            ones = [item for size in sizes for item in alike[size]]
-            for item in ones:
-                item.round_to(PRINTED_DIGITS + 1)
-            if all(item.comes_out for item in (value, *ones)):
-                longer |= sizes
-            else:
-                for item in ones:
-                    item.round_to(PRINTED_DIGITS)
+        for part in made_of(value):
+            led_to.setdefault(part, []).append(value)
+    named = {value.name for value in answers}
+    for value in values:
+        if value.is_sum_of_angles and not value.comes_out and value.name not in named:
+            _close(value, led_to.get(value, ()))
+
+
+def _close(value: Value, led_to: Collection[Value]) -> None:
+    """Print a sum of angles as that of the printed ones, unless a line that came out would not any more."""
+    before, came_out = value.shown, [line for line in led_to if line.comes_out and not line.is_sum_of_angles]
+    value.round_to(PRINTED_DIGITS, exact=False)
+    if not all(line.comes_out for line in came_out):
+        value.shown = before
 
 
 def follow_printed_digits(items: Iterable[Item], answers: Sequence[Value], digits: int) -> None:

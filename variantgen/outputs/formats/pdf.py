@@ -111,7 +111,7 @@ def finish(whole: WholeExam) -> None:
             else:
                 lengths = page_counts(paths)
             whole.pages[target] = _on_paper(lengths, exam.duplex)
-            whole.notes.append(f"{target}.pdf: {_said(whole.pages[target])}")
+            whole.notes.append(f"{target}.pdf: {_said(lengths, exam.duplex)}")
     if chosen.for_groups:
         _join_groups(whole, [target for target in whole.pieces if target != "key"], names)
     if chosen.for_students:
@@ -129,12 +129,16 @@ def _on_paper(lengths: Sequence[int], duplex: bool) -> dict[int, int]:
     return {pages: found[pages] for pages in sorted(found)}
 
 
-def _said(found: Mapping[int, int]) -> str:
-    """How many pages students have, in words."""
-    words = {pages: f"{pages} {'page' if pages == 1 else 'pages'}" for pages in found}
+def _said(lengths: Sequence[int], duplex: bool) -> str:
+    """How many pages students have, in words, the blank ones apart."""
+    found = Counter(lengths)
+    words = {pages: f"{pages} {'page' if pages == 1 else 'pages'}" for pages in sorted(found)}
     if len(found) == 1:
-        return f"{words.popitem()[1]} for each student"
-    return ", ".join(f"{said} for {found[pages]} of the students" for pages, said in words.items())
+        said = f"{words.popitem()[1]} for each student"
+    else:
+        said = ", ".join(f"{count} for {found[pages]} of the students" for pages, count in words.items())
+    is_odd = any(pages % 2 for pages in found)
+    return f"{said}; a blank one behind an odd number (duplex)" if duplex and is_odd else said
 
 
 def write_key(whole: WholeExam) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections import defaultdict
 from collections.abc import Callable
 from fractions import Fraction
@@ -9,6 +10,7 @@ from typing import Any
 
 from variantgen.exam import answer_page
 from variantgen.marking.marks import MarkedAnswer, verdict_of
+from variantgen.marking.scan.collecting import SeenPage
 from variantgen.marking.scan.copies import ScannedAnswer
 from variantgen.marking.worth import sums
 from variantgen.studio.marking.marked import MarkedClass
@@ -66,3 +68,41 @@ def outlines(doubt: ScannedAnswer) -> list[dict[str, float]]:
         width, height = max(one.x for one in own) + across - left, max(one.y for one in own) + down - top
         found.append({"x": left, "y": top, "width": width, "height": height})
     return [{name: round(value, 2) for name, value in one.items()} for one in found]
+
+
+def scan_pages(found: MarkedClass, place: int) -> list[dict[str, Any]]:
+    """The pages of the scan of a student, with the boxes that were read, in millimetres of the page."""
+    marks = {(item.problem, item.answer.quantity.name): item for item in found.marked.marks if item.place == place}
+    return [
+        {
+            "number": page.number,
+            "where": page.where,
+            "why": page.why,
+            "version": version_of(page),
+            "boxes": [_box(found, block, marks[asked[1:]]) for block, asked in enumerate(page.asked) if page.placed],
+        }
+        for page in found.pages.get(place, [])
+    ]
+
+
+def version_of(page: SeenPage) -> str:
+    """A short name of the picture of a page, for addresses whose answer lasts; '' where its file is gone."""
+    try:
+        own = f"{page.path}\n{page.path.stat().st_mtime_ns}\n{page.within}\n{page.placed}"
+    except OSError:
+        return ""
+    return hashlib.sha256(own.encode()).hexdigest()[:12]
+
+
+def _box(found: MarkedClass, block: int, item: MarkedAnswer) -> dict[str, Any]:
+    """The box of an answer on its page."""
+    left, top = answer_page.block_corner(block)
+    name = item.answer.quantity.name
+    doubt = found.doubtful.get((item.place, item.problem, name))
+    return {
+        "key": f"{item.problem}.{name}",
+        "x": left,
+        "y": top,
+        "verdict": "doubtful" if doubt else item.verdict.value,
+        "columns": outlines(doubt) if doubt else [],
+    }

@@ -12,21 +12,23 @@ from variantgen.errors import InputError, Problem, VariantgenError
 from variantgen.exam.manifest import read_manifest
 from variantgen.exam.marking_policy import MarkingPolicy, read_policy_file
 from variantgen.families.reading.folders import family_folders
-from variantgen.finished.restore import Finished, restore
+from variantgen.finished.restore import Finished, restore_unchanged
 from variantgen.marking.answer_tables import ReadAnswers, read_answers
 from variantgen.marking.drawn import as_drawn
 from variantgen.marking.form_words import FormWords
 from variantgen.marking.key import Key
 from variantgen.marking.marks import Marked, mark
-from variantgen.marking.scan.collecting import LostPage, Question, Scans, collect
+from variantgen.marking.scan.collecting import LostPage, Question, Scans, SeenPage, collect
 from variantgen.marking.scan.copies import ScannedAnswer
+from variantgen.marking.scan.excerpts import page_png
 from variantgen.marking.scan.joining import join
-from variantgen.marking.scan.pictures import is_picture, page_count
+from variantgen.marking.scan.pictures import is_picture, page_count, pictures
 from variantgen.marking.worth import worth_of
 from variantgen.studio.marking.folder import MarkingFolder
 from variantgen.studio.workspace import Workspace
 
 Tell: TypeAlias = Callable[[str, int, int], None]
+_PDFIUM = threading.Lock()  # the library that opens scans is for one thread at a time; so one page is in memory
 
 
 class _StoppedError(Exception):
@@ -37,8 +39,8 @@ class _StoppedError(Exception):
 class MarkedClass:
     """The marks of a class, with what they were made from; ``doubtful`` are readings that nobody has decided.
 
-    ``lost`` are pages of scans that could not be read, ``faults`` the reasons why files could not, by their names in
-    the folder of the marking.
+    ``pages`` are those of scans whose student is known, by the place of the student, ``lost`` those that could not be
+    read, ``faults`` the reasons why files could not, by their names in the folder of the marking.
     """
 
     finished: Finished
@@ -47,6 +49,7 @@ class MarkedClass:
     marked: Marked
     scanned: dict[Question, ScannedAnswer]
     doubtful: dict[Question, ScannedAnswer]
+    pages: dict[int, list[SeenPage]]
     lost: list[LostPage]
     faults: dict[str, VariantgenError]
 
@@ -89,6 +92,15 @@ class MarkedBuild:
                     raise InputError(Problem("the scans are no longer read: that was stopped")) from None
             return self._known[1]
 
+    def picture(self, page: SeenPage) -> bytes:
+        """A page of a scan (PNG), opened for this. Raises InputError where it is no longer there."""
+        with _PDFIUM:
+            found = list(pictures(page.path, page.within)) if page.path in self._folder.every() else []
+            grey = found[0].grey if found else None
+            if grey is None:
+                raise InputError(Problem("there is no such page", value=page.where, remedy="load the page again"))
+            return page_png(grey, page.placed)
+
     def stop(self) -> dict[str, str]:
         """Stop reading scans; files not read to the end go into the bin: their names there by those before."""
         self.stopping.set()
@@ -130,6 +142,7 @@ class MarkedBuild:
         finished, read = as_drawn(finished, read)
         scanned: dict[Question, ScannedAnswer] = {}
         doubtful: dict[Question, ScannedAnswer] = {}
+        pages: dict[int, list[SeenPage]] = {}
         lost: list[LostPage] = []
         if scans:
             try:
@@ -137,16 +150,18 @@ class MarkedBuild:
             except VariantgenError as error:
                 faults[scans[0].name] = error
             else:
-                read, scanned, lost = joined.answers, dict(joined.scans.answers), joined.scans.lost
+                read, scanned = joined.answers, dict(joined.scans.answers)
+                pages, lost = joined.scans.pages, joined.scans.lost
                 doubtful = {asked: one for asked, one in joined.scans.doubtful.items() if asked not in joined.typed}
-        return MarkedClass(finished, read, policy, mark(finished, read, policy), scanned, doubtful, lost, faults)
+        marked = mark(finished, read, policy)
+        return MarkedClass(finished, read, policy, marked, scanned, doubtful, pages, lost, faults)
 
     def _finished(self) -> Finished:
         """The build; it is restored once."""
         changed = (self._folder.build.folder / "manifest.json").stat().st_mtime_ns
         if self._restored is None or self._restored[0] != changed:
             record = read_manifest(self._folder.build.folder)
-            self._restored = changed, restore(record, family_folders((self._workspace.folder,)))
+            self._restored = changed, restore_unchanged(record, family_folders((self._workspace.folder,)))
         return self._restored[1]
 
     def _collected(self, scans: list[Path], finished: Finished, policy: MarkingPolicy) -> Scans:
@@ -155,7 +170,6 @@ class MarkedBuild:
         if self._scans is None or self._scans[0] != version:
             if self._scans is not None and self._scans[0][0] != policy.tolerance:
                 self._scans = None
-            pages = {path: page_count(path) for path in scans}
             names = self._folder.names()
 
             def tell(path: Path, done: int) -> None:
@@ -163,7 +177,9 @@ class MarkedBuild:
                     raise _StoppedError
                 self._tell(names.get(path.name, path.name), done, pages[path])
 
-            self._scans = version, collect(scans, Key(finished.record, policy.tolerance), tell=tell)
+            with _PDFIUM:
+                pages = {path: page_count(path) for path in scans}
+                self._scans = version, collect(scans, Key(finished.record, policy.tolerance), tell=tell)
         return replace(self._scans[1], answers=dict(self._scans[1].answers))
 
 

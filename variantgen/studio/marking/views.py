@@ -122,6 +122,7 @@ def student(found: MarkedClass, code: str, words: MarkWords) -> dict[str, Any]:
         "of": words.points(total.of),
         "grade": total.grade,
         "open": total.open,
+        "scans": found.finished.exam.scan,
         "problems": [
             {
                 "number": number,

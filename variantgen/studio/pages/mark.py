@@ -120,6 +120,38 @@ async def sheet(request: Request) -> Response:
     return JSONResponse({"name": name, "pages": pages})
 
 
+async def scan(request: Request) -> Response:
+    """The pages of the scan of a student, with the boxes that were read; pictures come one by one."""
+    from variantgen.studio.marking.doubts import scan_pages
+    from variantgen.studio.marking.views import MarkWords
+
+    folder, marked = marking_of(request)
+    found, language = await run_in_threadpool(marked.current), language_of(request)
+    place, words, names = _place(found, request), MarkWords(found, language), folder.names()
+    pages = scan_pages(found, place)
+    for page in pages:
+        page |= {key: words.explained(page[key], names) for key in ("where", "why")}
+    code = found.marked.totals[place].code
+    context = {"pages": pages, "code": code, "build": folder.build.key, "exam": request.path_params["exam"]}
+    return HTMLResponse(part(request, "mark_scan", "mark", **context))
+
+
+async def scanned(request: Request) -> Response:
+    """The picture of a page of the scan of a student, taken out of its file for this request."""
+    from variantgen.studio.marking.doubts import version_of
+
+    _, marked = marking_of(request)
+    found = await run_in_threadpool(marked.current)
+    pages = found.pages.get(_place(found, request), [])
+    number = number_of(request.path_params["number"], "page", 0, 100_000)
+    if number >= len(pages):
+        raise UnknownKeyError("page")
+    lasts = version_of(pages[number]) == request.query_params.get("v")
+    headers = {"cache-control": "private, max-age=31536000, immutable"} if lasts else {}
+    content = await run_in_threadpool(marked.picture, pages[number])
+    return Response(content, media_type="image/png", headers=headers)
+
+
 async def lost(request: Request) -> Response:
     """The picture of a page that could not be read."""
     _, marked = marking_of(request)
@@ -235,5 +267,7 @@ ROUTES = [
     Route("/{exam}/mark/result/{number}", result),
     Route("/{exam}/mark/sheet", sheet),
     Route("/{exam}/mark/picture", picture),
+    Route("/{exam}/mark/scan", scan),
+    Route("/{exam}/mark/scan/{number}", scanned),
     Route("/{exam}/mark/lost/{number}", lost),
 ]

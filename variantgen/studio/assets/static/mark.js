@@ -51,19 +51,47 @@ async function show(focus = false) {
 }
 let later;
 function refresh() { clearTimeout(later); later = setTimeout(async () => { await show(); await Promise.all([renew(), showList()]).catch(complain); }, 400); }
+const beside = () => all("button[data-kind]", shown).some(button => button.dataset.kind === state.kind) ? state.kind : "sheet";  // not every exam has scans
 async function sheet() {
   const pages = $("pages");
   if (!pages) return;
-  all("[data-kind]", shown).forEach(button => button.tagName === "BUTTON" && button.setAttribute("aria-pressed", button.dataset.kind === state.kind));
-  if (pages.dataset.kind === state.kind && pages.children.length) return;
-  const code = pages.dataset.code;
+  all("[data-kind]", shown).forEach(button => button.tagName === "BUTTON" && button.setAttribute("aria-pressed", button.dataset.kind === beside()));
+  const code = pages.dataset.code, kind = beside();
+  if (kind === "scan") return scan(pages, code).catch(complain);
+  if (pages.dataset.kind === kind && pages.children.length) return;
   try {
-    const found = await get(`/${exam}/mark/sheet?${asked({ code, kind: state.kind })}`);
-    if ($("pages")?.dataset.code !== code) return;
-    $("pages").dataset.kind = state.kind;
+    const found = await get(`/${exam}/mark/sheet?${asked({ code, kind })}`);
+    if ($("pages")?.dataset.code !== code || beside() !== kind) return;
+    $("pages").dataset.kind = kind;
     $("pages").replaceChildren(...Array.from({ length: found.pages }, (_, i) => el("img", { className: "sheet", src: `/${exam}/page/${found.name}/${i + 1}.svg`, alt: fill(words.page_of, { number: i + 1, code }), width: 595, height: 842 })));
   } catch (error) { complain(error); }
 }
+// The pages of the scan; what was decided meanwhile has other boxes, the pictures stay.
+async function scan(pages, code) {
+  const answer = await fetch(`/${exam}/mark/scan?${asked({ code })}`, { headers: { accept: "text/html" } });
+  if (!answer.ok) throw new Error(fill(words.failed, { status: answer.status }));
+  const text = await answer.text();
+  pages = $("pages");
+  if (pages?.dataset.code !== code || beside() !== "scan") return;
+  const made = el("div");
+  made.innerHTML = text;
+  const old = pages.dataset.kind === "scan" ? all("img", pages) : [];
+  all("img", made).forEach(image => {
+    const same = old.find(one => one.getAttribute("src") === image.getAttribute("src"));
+    if (same) image.replaceWith(same);
+    else image.addEventListener("error", () => image.closest("a").replaceWith(el("p", { className: "error" }, words.scan_gone)));
+  });
+  pages.dataset.kind = "scan";
+  pages.replaceChildren(...made.childNodes);
+  point();
+}
+// The box of the answer that is being looked at.
+function point() {
+  const id = document.activeElement?.closest("[data-answer] input")?.id ?? document.activeElement?.closest("[data-pick]")?.dataset.pick;
+  all("[data-box]", shown).forEach(box => box.classList.toggle("now", box.dataset.box === id));
+  if (id) shown.querySelector("[data-box].now")?.scrollIntoView({ block: "nearest" });
+}
+shown.addEventListener("focusin", point);
 const links = () => all(`.people[data-of=${state.view === "questions" ? "questions" : "students"}] a`, list).filter(link => link.offsetParent);
 function open(link) {
   if (!link) return;
