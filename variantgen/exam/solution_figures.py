@@ -50,6 +50,11 @@ class SolutionFigure:
     unit: float
 
     @property
+    def least(self) -> float:
+        """The fewest millimetres per unit: lengths are read from a plan, others have letters that can be read."""
+        return self.unit if self.name.endswith("_plan") else min(self.unit, _UNIT)
+
+    @property
     def index_size(self) -> float:
         """The size of its indices on paper in points."""
         return LETTER * INDEX * self.unit * _POINTS

@@ -20,6 +20,17 @@ def with_steady_dashes(words: str) -> str:
     return words
 
 
+def with_steady_letters(text: Text) -> Text:
+    """The text with every letter of a point, body or quantity on the line of the word before it."""
+    following = (*text[1:], "")
+    return tuple(
+        f"{part[:-1]}\N{NO-BREAK SPACE}"
+        if isinstance(part, str) and part.endswith(" ") and isinstance(after, Symbol)
+        else part
+        for part, after in zip(text, following, strict=True)
+    )
+
+
 def with_symbols(note: str) -> Text:
     """A note with its letters of quantities and points as formulas; the English article ``a`` is none."""
     parts = enumerate(_LETTER.split(note))

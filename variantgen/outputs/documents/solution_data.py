@@ -13,7 +13,7 @@ from variantgen.outputs.documents.writing import Writing
 from variantgen.wording.language import Language
 from variantgen.wording.solution.document import Section
 from variantgen.wording.solution.phrases import load_phrases
-from variantgen.wording.text import with_symbols
+from variantgen.wording.text import with_steady_letters, with_symbols
 
 _WORDS = ("plan", "answer", "check", "solutions")
 Problem = dict[str, Any]
@@ -75,7 +75,7 @@ def problem_data(
 
 def _shown(shown: SolutionFigure, figures: dict[int, Any], writing: Writing) -> dict[str, Any]:
     drawn = figures.get(id(shown.drawing)) or writing.figure(shown.drawing, shown.caption)
-    return {"caption": writing.text(shown.caption), "figure": drawn, "unit": shown.unit}
+    return {"caption": writing.text(shown.caption), "figure": drawn, "unit": shown.unit, "least": shown.least}
 
 
 def _section(section: Section, solved: SolvedProblem, language: Language, writing: Writing) -> dict[str, Any]:
@@ -84,7 +84,7 @@ def _section(section: Section, solved: SolvedProblem, language: Language, writin
     numbers = [str(number) for number in shows]
     word = load_phrases(language.name).words["see"]
     return {
-        "heading": writing.text(section.heading),
+        "heading": writing.text(with_steady_letters(section.heading)),
         "see": f"({word}\N{NO-BREAK SPACE}{', '.join(numbers)})" if numbers else "",
         "shows": shows,
         "blocks": blocks_data(section.blocks, writing),
