@@ -174,12 +174,13 @@ points.O = { coordinates = { x = 0, y = 0 } }
 points.W = { coordinates = { x = 3, y = -100 } }
 bodies.drum = ["O"]
 bodies.pulley = ["W"]
-joints = [
-    { pivot = { point = "O" } },
-    { guide = { point = "W", angle = 90 } },
-    { rope = { path = [{ point = "O", radius = 12, side = "right", body = "drum" }, { point = "W", radius = 15, side = "right", body = "pulley" }] } },
-    { rope = { path = [{ point = "O", radius = 18, side = "left", body = "drum" }, { point = "W", radius = 15, side = "left", body = "pulley" }] } },
-]
+joints = [{ pivot = { point = "O" } }, { guide = { point = "W", angle = 90 } }, { rope = { path = [
+    { point = "O", radius = 12, side = "right", body = "drum" },
+    { point = "W", radius = 15, side = "right", body = "pulley" },
+] } }, { rope = { path = [
+    { point = "O", radius = 18, side = "left", body = "drum" },
+    { point = "W", radius = 15, side = "left", body = "pulley" },
+] } }]
 drivers = [{ rotation = { body = "drum", omega = 2 } }]
 """
 

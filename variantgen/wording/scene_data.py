@@ -81,7 +81,7 @@ class _SceneData:
                 yield self._equation(datum.name, abs(si), unit_of_turning(si, own))
 
     def _radius(self, datum: LiteralDatum) -> Symbol:
-        """``r_B``, of a second one of the same body ``r_2B``, as :mod:`variantgen.methods.geometry.radii` names them."""
+        """``r_B``, of a second one of the same body ``r_2B``: as in :mod:`variantgen.methods.geometry.radii`."""
         symbol = self.language.symbol(f"r_{datum.name}", self.variant.form.symbols)
         place = literal_radii(self.variant.form)[datum.name].index(datum.si)
         return symbol._replace(index=(Index(str(place + 1)), *symbol.index)) if place else symbol
