@@ -115,6 +115,7 @@ def _planet_between() -> dict[str, float]:
 
 
 KINDS = {
+    "crossed_belt": lambda: {"omega_B": -300 * 15 / 25, "v_rope.O.C": 300 * pi / 30 * 0.15},  # no point moves
     "planet_between": _planet_between,
     "epicyclic_belt": _epicyclic,
     "hoist_two_ropes": lambda: {"v_B": 3 / 2, "v_D": 3 / 4, "a_D": 1.5 / 4},

@@ -197,6 +197,7 @@ def test_a_ceiling_that_a_printed_sheet_exceeds_is_refused(
 
 def test_other_answers_are_no_ground_for_a_key(out: Path, capsys: pytest.CaptureFixture[str]) -> None:
     text = manifest(out)
+    del text["students_hash"]  # which earlier versions have not recorded
     text["students"][3]["problems"][0]["answers"][0]["value"] += 1.0
     (out / "manifest.json").write_text(json.dumps(text), "utf-8")
     before = content(out)
@@ -275,3 +276,20 @@ family = "spool"
             assert page_texts(one / name) == page_texts(other / name), name
         elif not name.endswith(".xlsx"):
             assert now[name] == wanted[name], name
+
+
+@pytest.mark.parametrize("command", ["rekey", "mark"])
+def test_no_key_and_no_marks_by_answers_that_somebody_has_edited(
+    command: str, out: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    answers, marks = tmp_path / "answers.csv", tmp_path / "marks"
+    answers.write_text("code,problem,answer,value\n", "utf-8")
+    record = manifest(out)
+    record["students"][2]["problems"][0]["answers"][0]["value"] *= -1
+    (out / "manifest.json").write_text(json.dumps(record), "utf-8")
+    before = content(out)
+    options = ["--tolerance", "0.05"] if command == "rekey" else [str(answers), "--out", str(marks)]
+    assert main([command, str(out), *options]) == 2
+    assert "the students have been changed since the build" in capsys.readouterr().err
+    assert content(out) == before
+    assert not marks.exists()

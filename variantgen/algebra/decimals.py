@@ -11,6 +11,7 @@ WHOLE_DEGREES = 2  # so many digits of an angle stand before the point, as far a
 PRINTED_DIGITS = 4  # significant digits of a number of the solution
 RECORDED_DIGITS = 8  # of an answer in keys and manifests, which the last bits of a machine do not change
 SURE_DIGITS = 13  # significant digits that are no rounding of the machine
+_SAME = 1e-12  # relative difference of two numbers that are one, but for rounding of the arithmetic
 
 
 def rounded_to_digits(value: float, digits: int) -> Decimal:
@@ -52,3 +53,17 @@ def decimals_of(number: float) -> int:
     exponent = Decimal(repr(number)).normalize().as_tuple().exponent
     assert isinstance(exponent, int)
     return max(0, -exponent)
+
+
+def decimals_shown(shown: float, exact: float, measure: str) -> int:
+    """The decimals to which a printed number is rounded, negative for tens; of an exact one those that it has."""
+    if shown == 0 or not math.isfinite(shown):
+        return 0
+    is_exact = abs(shown - exact) <= _SAME * abs(exact)
+    return decimals_of(shown) if is_exact else max(decimals_of(shown), usual_decimals(shown, measure))
+
+
+def usual_decimals(shown: float, measure: str) -> int:
+    """The decimals of the last of as many digits as numbers of a measure are printed with."""
+    of_number = PRINTED_DIGITS - 1 - math.floor(math.log10(abs(shown))) if shown else PRINTED_DIGITS
+    return {DRAWING_LENGTH: 1, ANGLE: PRINTED_DIGITS - WHOLE_DEGREES}.get(measure, of_number)

@@ -9,16 +9,16 @@ are in the printed units of the family, angles in degrees, rates of rotation in 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-from variantgen.algebra.decimals import ANGLE, DRAWING_LENGTH, PRINTED_DIGITS, WHOLE_DEGREES, decimals_of, rounded
+from variantgen.algebra.decimals import ANGLE, decimals_shown, rounded, usual_decimals
+from variantgen.algebra.functions import FUNCTIONS
 from variantgen.algebra.name import Name
 from variantgen.algebra.triples import ratio
 
 _NEXT = 1.5  # units of the last digit: what is nearer is rounded to the next number at most
 _CLOSES = 0.6  # the same for a sum of angles: its last digit is that of the printed terms
-_SAME = 1e-12  # relative difference of two numbers that are one, but for rounding of the arithmetic
 _ROUNDING = 1e-9  # of the natural scale: nothing, in arithmetic with printed numbers
 _ZERO = 1e-10  # of the natural scale: what is smaller is rounding and is shown as zero
 
@@ -110,7 +110,7 @@ class Value(Expression):
             return True
         if self.exact == 0:
             return abs(self.expression.number(exact=False)) <= _ROUNDING * max(self.size, 1.0)
-        finest = max(self.decimals, self._usual_decimals)  # of 60 that is computed as 59.98 too
+        finest = max(self.decimals, usual_decimals(self.shown, self.measure))  # of 60 that is computed as 59.98 too
         units = _CLOSES if self.is_sum_of_angles else _NEXT
         return abs(self.expression.number(exact=False) - self.shown) < units * 10.0**-finest
 
@@ -122,17 +122,7 @@ class Value(Expression):
     @property
     def decimals(self) -> int:
         """The decimals to which the printed number is rounded, negative for tens; of an exact one those that it has."""
-        if self.shown == 0 or not math.isfinite(self.shown):
-            return 0
-        own = decimals_of(self.shown)
-        is_exact = abs(self.shown - self.exact) <= _SAME * abs(self.exact)
-        return own if is_exact else max(own, self._usual_decimals)
-
-    @property
-    def _usual_decimals(self) -> int:
-        """The decimals of the last of as many digits as numbers are printed with."""
-        of_number = PRINTED_DIGITS - 1 - math.floor(math.log10(abs(self.shown))) if self.shown else PRINTED_DIGITS
-        return {DRAWING_LENGTH: 1, ANGLE: PRINTED_DIGITS - WHOLE_DEGREES}.get(self.measure, of_number)
+        return decimals_shown(self.shown, self.exact, self.measure)
 
     def __repr__(self) -> str:
         return f"Value({self.name}, {self.exact:.6g})"
@@ -275,16 +265,6 @@ class Magnitude(Expression):
         return (self.inner,)
 
 
-_FUNCTIONS: dict[str, Callable[[float], float]] = {
-    "cos": lambda x: math.cos(math.radians(x)),
-    "sin": lambda x: math.sin(math.radians(x)),
-    "tan": lambda x: math.tan(math.radians(x)),
-    "arctan": lambda x: math.degrees(math.atan(x)),
-    "arcsin": lambda x: math.degrees(math.asin(min(1.0, max(-1.0, x)))),
-    "arccos": lambda x: math.degrees(math.acos(min(1.0, max(-1.0, x)))),
-}
-
-
 @dataclass(frozen=True, slots=True)
 class Applied(Expression):
     """A function of an angle in degrees, or one with such a value; data have some of two arguments: min, max, atan2."""
@@ -296,7 +276,7 @@ class Applied(Expression):
     def number(self, exact: bool) -> float:
         """The value of the function; from printed numbers that of a triangle like 3:4:5 stays its fraction."""
         found = None if exact else ratio(self.function, self.argument.number(True))
-        return _FUNCTIONS[self.function](self.argument.number(exact)) if found is None else found[0] / found[1]
+        return FUNCTIONS[self.function](self.argument.number(exact)) if found is None else found[0] / found[1]
 
     def operands(self) -> Sequence[Expression]:
         """The arguments."""

@@ -38,6 +38,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Run a command; returns the exit code."""
     gc.set_threshold(*_COLLECTION)
     atexit.register(gc.freeze)  # nor is a last search at the end of the process of any use
+    # numpy starts threads for large matrices as it is loaded, and there are none here: a quarter of its loading.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     words = sys.argv[1:] if argv is None else list(argv)
     arguments = _parser(words).parse_args(words)
     try:

@@ -107,6 +107,19 @@ def restore(record: Manifest, folders: tuple[Path, ...]) -> Finished:
     return Finished(record, exam, tuple(record.differences(exam)))
 
 
+def restore_unchanged(record: Manifest, folders: tuple[Path, ...]) -> Finished:
+    """The exam of a manifest by which marks are given or a key is written, see :func:`restore`.
+
+    Raises InputError too if the entries of its students are not as they were built: a wrong answer could not be told
+    from the right one.
+    """
+    if record.students_changed:
+        what = "the students have been changed since the build"
+        remedy = "variantgen verify  says more; restore it from a copy, or build the exam again"
+        raise InputError(Problem(what, file=str(record.path), key="students", remedy=remedy))
+    return restore(record, folders)
+
+
 def _placed(sheet: RecordedSheet) -> list[tuple[str, RecordedProblem]]:
     """Problems with words that say whose they are."""
     return [(f"student {sheet.student.id}, problem {problem.number}", problem) for problem in sheet.problems]

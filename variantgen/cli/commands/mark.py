@@ -65,7 +65,7 @@ def run(arguments: argparse.Namespace) -> int:
     from variantgen.exam.manifest import read_manifest
     from variantgen.exam.marking_policy import read_policy_file
     from variantgen.families.reading.folders import family_folders
-    from variantgen.finished.restore import restore
+    from variantgen.finished.restore import restore_unchanged
     from variantgen.marking import changes, gradebooks
     from variantgen.marking.key import Key
     from variantgen.marking.marks import mark
@@ -77,7 +77,7 @@ def run(arguments: argparse.Namespace) -> int:
 
     known = (*FILES, *PAGES, *gradebooks.FILES, changes.CHANGES, *review.FILES, _BOOK)
     check_free(arguments.out, arguments.force, lambda: known)
-    finished = restore(read_manifest(arguments.folder), family_folders(arguments.families))
+    finished = restore_unchanged(read_manifest(arguments.folder), family_folders(arguments.families))
     asked = Key(finished.record).asked
     policy = read_policy_file(arguments.policy, asked) if arguments.policy else finished.exam.marking
     earlier = _earlier(arguments.against, arguments.out, {sheet.code for sheet in finished.record.sheets})

@@ -44,10 +44,10 @@ def run(arguments: argparse.Namespace) -> int:
     from variantgen.exam.manifest import read_manifest
     from variantgen.families.reading.folders import family_folders
     from variantgen.finished.rekey import marking, rekey
-    from variantgen.finished.restore import restore
+    from variantgen.finished.restore import restore_unchanged
     from variantgen.outputs.typst.typesetter import typesetter
 
-    finished = restore(read_manifest(arguments.folder), family_folders(arguments.families))
+    finished = restore_unchanged(read_manifest(arguments.folder), family_folders(arguments.families))
     chosen = marking(finished.exam, dict(map(_floor, arguments.floors)), arguments.ceiling)
     with typesetter() as engine:
         made = rekey(finished, arguments.folder, chosen, engine)

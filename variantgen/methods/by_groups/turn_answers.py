@@ -74,6 +74,7 @@ def _by_limits(book: Book, kind: str, target: str) -> Expression | None:
     }
     names = [Name("limit", found.pivot + found.end, number) for number in "12"]
     if names[0] not in book.values:
+        book.show("limit_positions:" + "-".join(filter(None, (found.pivot, found.pin, found.end, found.centre))))
         book.say("turn.in_line", False, **places)
         for name, length in zip(names, (rod + crank, rod - crank), strict=True):
             book.derive(name, "length", length)

@@ -8,12 +8,12 @@ computation.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from variantgen.families.quantities import Quantity
-from variantgen.mechanism.motion import Motion
+from variantgen.mechanism.motion import ComplexField, Field, Motion
 from variantgen.methods.agreement import AGREES
 from variantgen.methods.compose import natural_answers
 from variantgen.methods.hand.repeatable_calculation import Array, RepeatableCalculation, cut, printed_data
@@ -126,13 +126,18 @@ class _Batch:
                 signs.append(number if parameter.unit is None else float(np.sign(number)))
         return (*signs, *((variant.sense, variant.turns) if self._lies_as_drawn else ()))
 
+    def _largest(self, vectors: Mapping[str, ComplexField], rates: Mapping[str, Field], size: Field) -> Array:
+        """The fastest of points and rims, shape (N,): where only wheels turn, no named point may move at all."""
+        found = [np.abs(vector)[self._places] for vector in vectors.values()]
+        found += [np.abs(rate)[self._places] * size for rate in rates.values()]
+        return np.asarray(np.max(found, axis=0))
+
     def _tolerance(self, quantity: Quantity, motion: Motion, length: str) -> Array:
         """What rounding of the arithmetic may change in an answer, in its printed unit (degrees), shape (N,)."""
         size = motion.length_scale()[self._places]
-        largest = np.max([np.abs(vector) for vector in motion.v.values()], axis=0)[self._places]
+        largest = self._largest(motion.v, motion.omega, size)
         if quantity.order == 2:  # a steady motion along lines has only what rounding leaves of accelerations
-            vectors = [np.abs(vector)[self._places] for vector in motion.a.values()]
-            largest = np.max([largest**2 / size, *vectors], axis=0)
+            largest = np.maximum(largest**2 / size, self._largest(motion.a, motion.epsilon, size))
         value = np.abs(quantity.whole.value(motion)[self._places])
         scale = (
             largest / size

@@ -122,14 +122,16 @@ class Task:
 
     @cached_property
     def largest_speed(self) -> float:
-        """The largest velocity of the mechanism, in printed units."""
-        return max((abs(v) for v in self.now.v.values()), default=0.0)
+        """The largest velocity of the mechanism, in printed units; of wheels on fixed axles alone that of rims."""
+        points = max((abs(v) for v in self.now.v.values()), default=0.0)
+        return points or self.size * max((abs(rate) for rate in self.now.omega.values()), default=0.0)
 
     @cached_property
     def largest_acceleration(self) -> float:
         """The natural scale of accelerations, in printed units: the largest one, or what its speeds tell of them."""
         steady = self.largest_speed**2 / self.size if self.size else 0.0  # without acceleration only rounding
-        return max([steady, *(abs(a) for a in self.now.a.values())])
+        found = max([steady, *(abs(a) for a in self.now.a.values())])
+        return found or self.size * max((abs(rate) for rate in self.now.epsilon.values()), default=0.0)
 
     @cached_property
     def si(self) -> Mapping[str, float]:

@@ -154,6 +154,10 @@ class Book:
         """Add a sentence; a short solution leaves out a ``detail``."""
         self.items.append(Sentence(key, facts, detail))
 
+    def show(self, view: str) -> None:
+        """Add a figure to the step that is being written."""
+        self.steps[-1].views = (*self.steps[-1].views, view)
+
     def has_said(self, key: str, /, **facts: Fact) -> bool:
         """Whether a sentence with these facts (and perhaps others) has been said in any step."""
         said = (item for step in self.steps for item in step.items if isinstance(item, Sentence) and item.key == key)

@@ -12,7 +12,7 @@ from variantgen.errors import InputError, Problem, VariantgenError
 from variantgen.exam.manifest import read_manifest
 from variantgen.exam.marking_policy import MarkingPolicy, read_policy_file
 from variantgen.families.reading.folders import family_folders
-from variantgen.finished.restore import Finished, restore
+from variantgen.finished.restore import Finished, restore_unchanged
 from variantgen.marking.answer_tables import ReadAnswers, read_answers
 from variantgen.marking.drawn import as_drawn
 from variantgen.marking.form_words import FormWords
@@ -161,7 +161,7 @@ class MarkedBuild:
         changed = (self._folder.build.folder / "manifest.json").stat().st_mtime_ns
         if self._restored is None or self._restored[0] != changed:
             record = read_manifest(self._folder.build.folder)
-            self._restored = changed, restore(record, family_folders((self._workspace.folder,)))
+            self._restored = changed, restore_unchanged(record, family_folders((self._workspace.folder,)))
         return self._restored[1]
 
     def _collected(self, scans: list[Path], finished: Finished, policy: MarkingPolicy) -> Scans:

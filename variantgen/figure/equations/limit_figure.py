@@ -1,0 +1,70 @@
+"""The limit positions of a slider or a rocker that a rod drives from the pin of a crank, beside the position shown."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from functools import partial
+
+from variantgen.errors import InputError, Problem
+from variantgen.figure.drawing import THIN, Drawing, Layer
+from variantgen.figure.equations.body_board import FigureSubject
+from variantgen.figure.motion.contact_letters import draw_dot
+from variantgen.figure.motion.motion_board import MotionBoard, draw_on_mechanism
+from variantgen.wording.formula import Symbol
+from variantgen.wording.formula.tree import Index
+
+
+def draw_limits(subject: FigureSubject, points: Sequence[str]) -> Drawing:
+    """The mechanism with both limit positions dashed; ``points`` are pivot, crank pin and end of the rod, or also the
+    centre about which this end swings. Raises InputError where there are no such positions.
+    """
+    known = subject.motion.z
+    if len(points) not in (3, 4) or not all(point in known for point in points):
+        raise InputError(Problem("the solution has no limit positions", key="view", value="limit_positions"))
+    way = complex(subject.motion.v[points[2]][subject.index])
+    if way == 0:
+        raise InputError(Problem("the end of the rod is at rest in this position", key="view", value="limit_positions"))
+    annotate = partial(_annotate, tuple(points), way / abs(way))
+    return draw_on_mechanism(subject.variant, subject.motion, subject.index, subject.asked, subject.language, annotate)
+
+
+def _annotate(points: tuple[str, ...], way: complex, board: MotionBoard, stretch: float) -> None:
+    pivot, pin, end, *centres = (board.sketch.at[point] for point in points)
+    crank, rod = abs(pin - pivot), abs(end - pin)
+    for number, (distance, side) in enumerate(((rod + crank, 1.0), (rod - crank, -1.0)), start=1):
+        limit = _on_circle(pivot, distance, centres[0], end) if centres else _on_line(pivot, distance, end, way)
+        top = pivot + side * crank * (limit - pivot) / distance
+        # The rod over its crank lies on it: its whole length is seen from the pin on.
+        corners = [top if side < 0 else pivot, limit, *centres]
+        board.sketch.path(corners, Layer.GROUND, THIN, dash="dashed")
+        for place, name in ((limit, points[2]), (top, points[1])):
+            draw_dot(board, place, _numbered(board.symbol(name), number))
+
+
+def _numbered(letter: Symbol, number: int) -> Symbol:
+    """The letter of a point with the number of the position."""
+    return letter._replace(index=(*letter.index, Index(str(number))))
+
+
+def _on_line(pivot: complex, distance: float, end: complex, way: complex) -> complex:
+    """The place on the guide of a slider at a distance from the pivot, on the side on which the slider is."""
+    foot = end + ((pivot - end) * way.conjugate()).real * way
+    along = _leg(distance, abs(pivot - foot))
+    return foot + math.copysign(along, ((end - foot) * way.conjugate()).real) * way
+
+
+def _on_circle(pivot: complex, distance: float, centre: complex, end: complex) -> complex:
+    """The place on the circle of a rocker at a distance from the pivot, on the side on which the rocker is."""
+    base, arm = centre - pivot, abs(end - centre)
+    along = (distance**2 + abs(base) ** 2 - arm**2) / (2 * abs(base))
+    aside = math.copysign(_leg(distance, along), ((end - pivot) * base.conjugate()).imag)
+    return pivot + complex(along, aside) * base / abs(base)
+
+
+def _leg(hypotenuse: float, other: float) -> float:
+    """A leg of a right triangle. Raises InputError where there is none."""
+    square = hypotenuse**2 - other**2
+    if square <= 0:
+        raise InputError(Problem("the crank does not make a whole turn", key="view", value="limit_positions"))
+    return math.sqrt(square)
