@@ -111,10 +111,10 @@ def _piece(word: Sequence[PlacedGlyph], gap: float) -> Fragment:
     place = (round(gap, _DIGITS), round(word[0].at.imag, _DIGITS))
     if upright:
         return (*place, glyph.scale, 0, letters)
-    return (*place, _SIZE[level], level, "".join(map(_italic, letters)))
+    return (*place, _SIZE[level], level, "".join(map(italic, letters)))
 
 
-def _italic(letter: str) -> str:
+def italic(letter: str) -> str:
     """The letter as the alphabet of formulas has it."""
     for first, italic in (("A", 0x1D434), ("a", 0x1D44E), ("α", 0x1D6FC)):
         if letter.isalpha() and 0 <= ord(letter) - ord(first) < 26:
