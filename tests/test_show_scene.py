@@ -165,3 +165,30 @@ def test_a_time_that_is_a_fraction_is_told_as_one(capsys):
     out = _shown(capsys, str(KINDS.parent / "books" / "meshchersky_23_14.toml"), "--explain")
     assert "Given: t = 5/3 s," in out
     assert "1.666666666667" not in out
+
+
+DIFFERENTIAL_DRUM = """\
+length_unit = "cm"
+ask = ["v_W", "omega_pulley"]
+points.O = { coordinates = { x = 0, y = 0 } }
+points.W = { coordinates = { x = 3, y = -100 } }
+bodies.drum = ["O"]
+bodies.pulley = ["W"]
+joints = [{ pivot = { point = "O" } }, { guide = { point = "W", angle = 90 } }, { rope = { path = [
+    { point = "O", radius = 12, side = "right", body = "drum" },
+    { point = "W", radius = 15, side = "right", body = "pulley" },
+] } }, { rope = { path = [
+    { point = "O", radius = 18, side = "left", body = "drum" },
+    { point = "W", radius = 15, side = "left", body = "pulley" },
+] } }]
+drivers = [{ rotation = { body = "drum", omega = 2 } }]
+"""
+
+
+def test_two_radii_of_a_body_are_given_and_have_the_same_names_in_the_solution(tmp_path, capsys):
+    (tmp_path / "drum.toml").write_text(DIFFERENTIAL_DRUM, "utf-8")
+    out = _shown(capsys, str(tmp_path / "drum.toml"), "--explain", "--lang", "en")
+    assert "Given: r_drum = 12 cm, r_2 drum = 18 cm, r_pulley = 15 cm," in out
+    assert "v_K = (2 rad/s) · r_drum = 2 · 12 = 24 cm/s" in out
+    assert "v_N = (2 rad/s) · r_2 drum = 2 · 18 = 36 cm/s" in out
+    assert "v_W = 6 cm/s" in out  # one cord gives 24, the other takes 36: (36 - 24) / 2

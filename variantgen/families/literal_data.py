@@ -58,15 +58,22 @@ def literal_data(form: Form) -> Iterator[LiteralDatum]:
         yield from _of_point(name, template)
     for template in form.conditions:
         yield from _of_condition(template)
-    for template in form.joints:
-        radius = _literal(template, "radius")
-        if radius is not None and "body" in template.fields:
-            yield LiteralDatum("radius", template.fields["body"], "length", radius)
-        for bend in template.fields.get("path", ()):
-            if bend.fields.get("body") and (radius := _literal(bend, "radius")):
-                yield LiteralDatum("radius", bend.fields["body"], "length", radius)
+    for body, radii in literal_radii(form).items():
+        for radius in radii:
+            yield LiteralDatum("radius", body, "length", radius)
     for template in form.drivers:
         yield from _rates(template, form)
+
+
+def literal_radii(form: Form) -> dict[str, list[float]]:
+    """The radii (m) of each body in joints and ropes, in the order of the file, each once."""
+    found: dict[str, list[float]] = {}
+    for template in form.joints:
+        for part in (template, *template.fields.get("path", ())):
+            body, radius = part.fields.get("body"), _literal(part, "radius")
+            if body and radius is not None and radius not in (own := found.setdefault(body, [])):
+                own.append(radius)
+    return found
 
 
 def _rates(template: ComponentTemplate, form: Form) -> Iterator[LiteralDatum]:

@@ -7,12 +7,12 @@ from decimal import Decimal
 
 import numpy as np
 
-from variantgen.families.literal_data import LiteralDatum, literal_data
+from variantgen.families.literal_data import LiteralDatum, literal_data, literal_radii
 from variantgen.families.parameters.units import Unit, unit, unit_of_turning
 from variantgen.families.quantities import Quantity, motion_order
 from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import Variant, solve_variants
-from variantgen.wording.formula import Equation, Measured, Symbol, SymbolProperty
+from variantgen.wording.formula import Equation, Index, Measured, Symbol, SymbolProperty
 from variantgen.wording.formula.tree import ANGLE
 from variantgen.wording.language import Language
 
@@ -30,7 +30,7 @@ def scene_data(
     that only accelerations depend on where none is asked.
     """
     case = _SceneData(variant, asked, language)
-    found = list({(datum.kind, datum.name): datum for datum in literal_data(variant.form)}.values())
+    found = list({(datum.kind, datum.name, datum.si): datum for datum in literal_data(variant.form)}.values())
     seen = [datum for datum in found if set(datum.points) <= case.shown and datum.unless not in case.shown]
     kinds = ("length", "radius", "angle", "corner", "place", "x", "y")
     position = [e for kind in kinds for datum in seen if datum.kind == kind for e in case.equations(datum)]
@@ -72,13 +72,19 @@ class _SceneData:
                 angle = abs(float(np.angle((end - at) / (start - at))))
                 yield Equation(Symbol(ANGLE + "".join(datum.points)), self._measured(angle, own))
             case "radius":
-                yield self._equation(f"r_{datum.name}", datum.si, own)
+                yield Equation(self._radius(datum), self._measured(datum.si, own))
             case "length":
                 start, end = (self.at[point] for point in datum.points)
                 yield self._equation(datum.name, abs(end - start), own)
             case "rate":
                 si = datum.si if datum.source is None else float(datum.source.value(self._values))
                 yield self._equation(datum.name, abs(si), unit_of_turning(si, own))
+
+    def _radius(self, datum: LiteralDatum) -> Symbol:
+        """``r_B``, of a second one of the same body ``r_2B``: as in :mod:`variantgen.methods.geometry.radii`."""
+        symbol = self.language.symbol(f"r_{datum.name}", self.variant.form.symbols)
+        place = literal_radii(self.variant.form)[datum.name].index(datum.si)
+        return symbol._replace(index=(Index(str(place + 1)), *symbol.index)) if place else symbol
 
     def _equation(self, name: str, si: float, own: Unit) -> Equation:
         return Equation(self.language.symbol(name, self.variant.form.symbols), self._measured(si, own))

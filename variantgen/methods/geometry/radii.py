@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
 from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
 
@@ -9,10 +11,13 @@ _SAME = 1e-9  # relative difference within which two radii are one, but for roun
 
 
 class UnnamedRadii:
-    """The radii of bodies as they are met: ``r_spool``, a second one of the same body ``r_2 spool``."""
+    """The radii of bodies as they are met: ``r_spool``, a second one of the same body ``r_2 spool``.
 
-    def __init__(self) -> None:
-        self._met: dict[str, list[float]] = {}
+    Those that a scene gives as numbers come first, as its data have them: ``given`` (printed unit).
+    """
+
+    def __init__(self, given: Mapping[str, Sequence[float]]) -> None:
+        self._met = {body: list(radii) for body, radii in given.items()}
 
     def of(self, body: str, exact: float) -> Value:
         """The radius of that length (printed unit) of a body."""
