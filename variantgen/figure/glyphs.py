@@ -25,6 +25,8 @@ _NUMBER = re.compile(r"-?\d+")
 class Glyph:
     """One letter (em): ``width`` with its slant, ``index_at`` where an index begins, ``path`` in SVG terms.
 
+    In a word the next letter begins at ``advance``.
+
     ``bottom`` and ``top`` bound the ink above the baseline. The path is to be drawn ``scale`` times its size; all else
     is at its true size.
     """
@@ -32,6 +34,7 @@ class Glyph:
     name: str
     width: float
     index_at: float
+    advance: float
     bottom: float
     top: float
     path: str
@@ -74,9 +77,9 @@ def has_glyph(name: str) -> bool:
 
 def glyph(name: str, scale: float = 1.0) -> Glyph:
     """A glyph by name: level (0, 1, 2), ``i`` (of a formula) or ``u`` (of a word), the letter. KeyError if missing."""
-    width, index_at, bottom, top, path = _row(name)
-    found = [scale * _UNIT * float(x) for x in (width, index_at, bottom, top)]
-    return Glyph(name, found[0], found[1], found[2], found[3], str(path), scale)
+    *lengths, path = _row(name)
+    width, index_at, advance, bottom, top = (scale * _UNIT * float(x) for x in lengths)
+    return Glyph(name, width, index_at, advance, bottom, top, str(path), scale)
 
 
 @cache

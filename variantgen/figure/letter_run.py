@@ -59,7 +59,7 @@ class Run:
     def mark(self, right: float) -> None:
         """Set the arrow of a vector: a mark to the left of where it begins."""
         self.glyphs.append(
-            PlacedGlyph(Glyph("0u\N{COMBINING RIGHT ARROW ABOVE}", 0.0, 0.0, 0.5, 0.714, ""), complex(right, 0.0))
+            PlacedGlyph(Glyph("0u\N{COMBINING RIGHT ARROW ABOVE}", 0.0, 0.0, 0.0, 0.5, 0.714, ""), complex(right, 0.0))
         )
 
     def attach(self, index: Run, power: Run, level: int) -> None:

@@ -1,8 +1,9 @@
 """Makes the table of glyphs from the fonts of the engine: ``python -m variantgen.outputs.typst.glyph_table``.
 
 The engine sets each letter at the sizes it occurs in (formula, index, index of an index) with a script beside it; from
-its SVG come the outlines, from where it puts the scripts the widths. Letters of words have no size of their own; their
-widths and kerning come from what stands beside them. The table is committed; a test compares it with the engine.
+its SVG come the outlines, from where it puts the scripts the widths, from letters in a line of text where the next one
+begins. Letters of words have no size of their own; their widths and kerning come from what stands beside them. The
+table is committed; a test compares it with the engine.
 The fonts are New Computer Modern Math and New Computer Modern (GUST Font License).
 """
 
@@ -12,10 +13,12 @@ import json
 import re
 import sys
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
 from variantgen.figure.glyphs import KERNING, TABLE, outline
+from variantgen.outputs.typst.set_formulas import italic
 from variantgen.outputs.typst.typesetter import Typesetter, typesetter
 from variantgen.wording.formula import GREEK
 
@@ -47,7 +50,15 @@ _KERNING = """
   for (i, a) in letters.enumerate() {
     for (j, b) in letters.enumerate() { pairs.push((a + b, width(a + b) - alone.at(i) - alone.at(j))) }
   }
-  [#metadata(pairs) <kerning>]
+  [#metadata(pairs) <found>]
+}
+"""
+_ADVANCES = """#import "common.typ": letters-of
+#context {
+  let (letters, level) = json(bytes(sys.inputs.data))
+  let size = (1, 0.7, 0.5).at(level)
+  let width(letter) = measure(letters-of(((0, 0, size, level, letter),))).width / 1pt
+  [#metadata(letters.codepoints().map(width)) <found>]
 }
 """
 
@@ -75,6 +86,12 @@ def measure(engine: Typesetter, letters: Sequence[str]) -> list[list[object]]:
     return found
 
 
+def advances(engine: Typesetter, letters: str, level: int) -> list[int]:
+    """Where the next letter begins in a line of text, as ``letters-of`` of ``common.typ`` sets letters of a level."""
+    found: list[float] = _asked(engine, _ADVANCES, json.dumps([letters, level]))
+    return [_thousandths(width) for width in found]
+
+
 def measure_upright(engine: Typesetter, letters: str) -> list[list[object]]:
     """The same of letters of words: each stands between two signs, which show its width without its slant."""
     pages = _pages(engine, "".join(f'#put($"={x}="$)\n' for x in letters))
@@ -82,7 +99,7 @@ def measure_upright(engine: Typesetter, letters: str) -> list[list[object]]:
     for page in pages:
         places = sorted(_places(page), key=lambda place: place[1])
         width = _thousandths(places[2][1] - places[1][1])
-        found.append([width, width, *_shape(page, places[1][0])])
+        found.append([width, width, width, *_shape(page, places[1][0])])
     return found
 
 
@@ -91,18 +108,23 @@ def kerning(engine: Typesetter) -> dict[str, str]:
 
     Only the Cyrillic letters, which come from the text font, are kerned in formulas.
     """
-    import typst
-
-    source = engine.root / "kerning.typ"
-    source.write_text(_HEAD + _KERNING, "utf-8")
-    answer = typst.query(
-        str(source), "<kerning>", field="value", one=True, root=str(engine.root), ignore_system_fonts=True,
-        sys_inputs={"data": _CYRILLIC},
-    )  # fmt: skip
     found: dict[int, list[str]] = {}
-    for pair, gap in json.loads(answer):
+    for pair, gap in _asked(engine, _KERNING, _CYRILLIC):
         found.setdefault(_thousandths(gap), []).append(pair)
     return {str(gap): " ".join(pairs) for gap, pairs in sorted(found.items()) if gap}
+
+
+def _asked(engine: Typesetter, template: str, data: str) -> Any:
+    """What a template notes under ``found``."""
+    import typst
+
+    source = engine.root / "asked.typ"
+    source.write_text(_HEAD + template, "utf-8")
+    answer = typst.query(
+        str(source), "<found>", field="value", one=True, root=str(engine.root), ignore_system_fonts=True,
+        sys_inputs={"data": data},
+    )  # fmt: skip
+    return json.loads(answer)
 
 
 def _pages(engine: Typesetter, body: str) -> list[str]:
@@ -200,7 +222,10 @@ def table() -> dict[str, object]:
     with typesetter() as engine:
         for level in range(len(_SIZES)):
             letters = wanted(level)
-            found.update(zip((name for name, _ in letters), measure(engine, [x for _, x in letters]), strict=True))
+            measured = measure(engine, [x for _, x in letters])
+            steps = advances(engine, "".join(italic(name[2:]) for name, _ in letters), level)
+            for (name, _), (width, index_at, *rest), step in zip(letters, measured, steps, strict=True):
+                found[name] = [width, index_at, step, *rest]
         upright = _LETTERS + _CYRILLIC + _MARKS
         found.update(zip((f"0u{letter}" for letter in upright), measure_upright(engine, upright), strict=True))
         found[KERNING] = kerning(engine)

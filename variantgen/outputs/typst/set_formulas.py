@@ -41,7 +41,7 @@ _DIGITS = 4
 _SIZE = (1.0, 0.7, 0.5)  # of formula, index, index of an index
 _UNKNOWN = "°"  # stands for letters that the table does not have
 
-# To the right of the one before and up (em), size, the level that it is cut for, letters.
+# The space before it and up (em), size, the level that it is cut for, letters.
 Fragment = tuple[float, float, float, int, str]
 
 
@@ -83,36 +83,38 @@ def _is_set(formula: Formula) -> bool:
 
 
 def _pieces(lettering: Lettering) -> tuple[Fragment, ...]:
-    """The glyphs of a formula; letters of a word are one piece, which the engine spaces itself."""
+    """The glyphs of a formula; letters after each other are one piece, which the engine spaces itself."""
     words: list[list[PlacedGlyph]] = []
     for placed in lettering.glyphs:
         if words and _follows(words[-1][-1], placed):
             words[-1].append(placed)
         else:
             words.append([placed])
-    starts = [0j, *(word[0].at for word in words)]
-    return tuple(_piece(word, word[0].at.real - before.real) for word, before in zip(words, starts, strict=False))
+    ends = [0.0, *(word[-1].at.real + word[-1].glyph.advance for word in words)]
+    return tuple(_piece(word, word[0].at.real - end) for word, end in zip(words, ends, strict=False))
 
 
 def _follows(before: PlacedGlyph, after: PlacedGlyph) -> bool:
     one, other = before.glyph, after.glyph
-    if one.scale != other.scale or one.name[1] + other.name[1] != "uu":
+    if one.scale != other.scale or one.name[:2] != other.name[:2]:
         return False
-    gap = one.width + one.scale * kerning(one.name[2:], other.name[2:])
+    gap = one.advance
+    if one.name[1] == "u":
+        gap += one.scale * kerning(one.name[2:], other.name[2:])
     return abs(before.at + gap - after.at) < 1e-9
 
 
-def _piece(word: Sequence[PlacedGlyph], right: float) -> Fragment:
+def _piece(word: Sequence[PlacedGlyph], gap: float) -> Fragment:
     glyph = word[0].glyph
     level, upright = int(glyph.name[0]), glyph.name[1] == "u"
     letters = "".join(placed.glyph.name[2:] for placed in word)
-    place = (round(right, _DIGITS), round(word[0].at.imag, _DIGITS))
+    place = (round(gap, _DIGITS), round(word[0].at.imag, _DIGITS))
     if upright:
         return (*place, glyph.scale, 0, letters)
-    return (*place, _SIZE[level], level, _italic(letters))
+    return (*place, _SIZE[level], level, "".join(map(italic, letters)))
 
 
-def _italic(letter: str) -> str:
+def italic(letter: str) -> str:
     """The letter as the alphabet of formulas has it."""
     for first, italic in (("A", 0x1D434), ("a", 0x1D44E), ("α", 0x1D6FC)):
         if letter.isalpha() and 0 <= ord(letter) - ord(first) < 26:
