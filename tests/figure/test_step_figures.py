@@ -232,3 +232,27 @@ def test_an_angle_of_a_rod_is_not_sought_in_the_figure_of_the_wheel(form: str) -
     _, text, _ = solved("wheel_with_rod", form, "1")
     geometry, *_ = text.sections
     assert geometry.views == ("velocity_centre:AB",), "the angle is at B, which the wheel does not have"
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize(("form", "view"), [("slider", "limit_positions:O-A-B"), ("rocker", "limit_positions:O-A-B-C")])
+def test_in_the_limit_positions_crank_and_rod_are_in_line(form: str, view: str, seed: str) -> None:
+    motion, text, figures = solved("limit_positions", form, seed)
+    assert sum(view in section.views for section in text.sections) == 1
+    drawing = figures[view].drawing
+    o, a, b = (place_of(motion, point, drawing) for point in "OAB")
+    crank, rod = abs(a - o), abs(b - a)
+    dashed = [line.points for line in drawing.lines if isinstance(line, Path) and line.dash == "dashed"]
+    (far, near) = (points for points in dashed if len(points) > 1)
+    # Once stretched, once folded: OB = AB + OA, OB = AB - OA with A beyond O.
+    assert (far[0], abs(far[1] - o)) == (pytest.approx(o), pytest.approx(rod + crank))
+    assert abs(near[1] - o) == pytest.approx(rod - crank)
+    assert near[0] == pytest.approx(o - crank * (near[1] - o) / (rod - crank))
+    for limit in (far[1], near[1]):
+        if form == "rocker":  # B goes on a circle about C
+            c = place_of(motion, "C", drawing)
+            assert abs(limit - c) == pytest.approx(abs(b - c))
+        else:  # both on one line with B
+            along = (far[1] - near[1]) / abs(far[1] - near[1])
+            assert ((limit - b) * along.conjugate()).imag == pytest.approx(0, abs=1e-6)
+    assert {"A_1", "B_1", "A_2", "B_2"} <= {to_plain(label.formula) for label in drawing.labels}

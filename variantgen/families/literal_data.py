@@ -71,7 +71,7 @@ def literal_radii(form: Form) -> dict[str, list[float]]:
     for template in form.joints:
         for part in (template, *template.fields.get("path", ())):
             body, radius = part.fields.get("body"), _literal(part, "radius")
-            if body and radius is not None and radius not in (own := found.setdefault(body, [])):
+            if body and radius and radius not in (own := found.setdefault(body, [])):
                 own.append(radius)
     return found
 
