@@ -9,6 +9,7 @@ import re
 import shlex
 import shutil
 import threading
+import tomllib
 import zipfile
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -32,21 +33,6 @@ from variantgen.studio.studio import Studio
 from variantgen.studio.workspace import Workspace
 
 BUILD = "exam-2026-01-02"
-CLASS = """\
-schema = 1
-title = "Homework"
-language = "en"
-formats = ["xlsx"]
-
-[solutions]
-depth = "none"
-
-[[problem]]
-family = "slider_crank"
-form = "central"
-ask = ["v_B", "a_B"]
-points = 10
-"""
 
 
 @pytest.fixture(scope="session")
@@ -98,9 +84,47 @@ def by_command(command: str, out: Path) -> dict[str, bytes]:
     return files(out)
 
 
+def compose_exam(window: Visit) -> None:
+    """The exam of a class, composed from pictures: one problem, what it asks, points; tables are its only files."""
+    page = window.open("/")
+    page.get_by_label("Title").fill("Homework")
+    page.get_by_role("button", name="Choose problems").click()
+    page.wait_for_url("**/Homework/choose")
+    page.get_by_role("searchbox").fill("slider-crank central")
+    page.locator('[data-card="slider_crank/central"] [data-do=add]').click(timeout=30_000)
+    page.get_by_text("Problem 1 added", exact=True).wait_for()
+    page = window.open("/Homework/compose")
+    page.wait_for_selector("#live svg")
+    for n, name in ((1, "omega_AB"), (3, "epsilon_AB")):  # asked at first, as v_B and a_B are
+        chip = page.get_by_role("group", name="Find").get_by_role("button").nth(n)
+        expect(chip).to_have_attribute("value", name)
+        chip.click()
+        expect(chip).to_have_attribute("aria-pressed", "false")
+    shown = page.locator("#source")
+    expect(shown).to_have_value(re.compile(r'ask = \["v_B", "a_B"\]'))
+    page.get_by_label("Points of problem 1").fill("12")
+    page.get_by_label("Points of problem 1").press("Enter")
+    expect(shown).to_have_value(re.compile("points = 12"))
+    page.get_by_text("The whole exam").click()
+    page.get_by_label("Solutions").select_option("none")
+    expect(shown).to_have_value(re.compile('depth = "none"'))
+    assert barriers(page) == []
+    page = window.open("/Homework/build")
+    formats = page.get_by_role("group", name="Formats")
+    for value, wanted in (("xlsx", True), ("pdf", False)):  # one always stays
+        with page.expect_response("**/Homework/edit*"):
+            formats.locator(f"[value={value}]").set_checked(wanted)
+    exam = tomllib.loads((window.folder / "Homework.toml").read_text("utf-8"))
+    assert exam["formats"] == ["xlsx"] and exam["solutions"] == {"depth": "none"}
+    [problem] = exam["problem"]
+    assert problem == {
+        "family": "slider_crank", "form": "central", "ask": ["v_B", "a_B"], "points": 12,
+    }  # fmt: skip
+
+
 def paste_class(window: Visit) -> None:
     """A class of 108 students, pasted."""
-    page = window.open("/exam/roster")
+    page = window.open("/Homework/roster")
     page.get_by_role("button", name="Paste a table").click()
     listed = "\n".join(f"Student {chr(65 + i // 26)}{chr(97 + i % 26)},S{i},G{i % 3}" for i in range(108))
     page.get_by_role("textbox").fill("name,id,group\n" + listed)
@@ -111,7 +135,7 @@ def paste_class(window: Visit) -> None:
 
 def build_class(window: Visit, by_hand: Path) -> Path:
     """The build of the class, downloaded whole: file by file what the command that the page shows builds."""
-    page = window.open("/exam/build")
+    page = window.open("/Homework/build")
     command = page.locator("#command").inner_text()
     page.get_by_role("button", name="Build", exact=True).click()
     expect(page.locator("[data-build]")).to_have_count(1, timeout=90_000)
@@ -137,12 +161,13 @@ def answers_of(record: Manifest) -> bytes:
 
 
 def test_a_class_of_108_goes_the_whole_way(visit: Callable[..., Visit], tmp_path: Path) -> None:
-    """A roster pasted, an exam built, a class marked; the marks are those of the command."""
-    window = visit(CLASS)
+    """An exam composed by sight, a roster pasted, the exam built, a class marked; all is what the commands write."""
+    window = visit("", name="empty")
+    compose_exam(window)
     paste_class(window)
     built = build_class(window, tmp_path / "built")
     record = read_manifest(built)
-    page = window.open("/exam/mark")
+    page = window.open("/Homework/mark")
     page.locator("#file").set_input_files([{"name": "quiz.csv", "mimeType": "text/csv", "buffer": answers_of(record)}])
     page.get_by_text("Handed in: 107 of 108").wait_for()
     # The last one is typed, by keyboard alone: the code, Enter, the answers.
@@ -167,16 +192,16 @@ def test_a_class_of_108_goes_the_whole_way(visit: Callable[..., Visit], tmp_path
     page.get_by_text("The rules are written.").wait_for()
     page.locator("#toast").get_by_role("button", name="Undo").click()  # the undo of the exam, from another page, too
     expect(page.locator("#redo")).to_have_attribute("aria-label", "Redo: rules of marking")
-    window.open("/exam/choose").locator("#redo").click()
-    page.wait_for_url("**/exam/mark?*")
+    window.open("/Homework/choose").locator("#redo").click()
+    page.wait_for_url("**/Homework/mark?*")
     page.get_by_text("Done again: rules of marking").wait_for()
     page.get_by_role("button", name="Write the marks").click()
     page.get_by_text("The marks are written.").wait_for(timeout=60_000)
     result = window.folder / "marks" / built.name / "result"
     assert files(result) == by_command(page.locator("#command").inner_text(), tmp_path / "marks")
     totals = list(csv.DictReader((result / "totals.csv").read_text("utf-8-sig").splitlines()))
-    assert [row["points"] for row in totals if row["code"] == last.code] == ["10"]
-    assert [row["points"] for row in totals if row["code"] == record.sheets[1].code] == ["7.5"]  # 5 * 0.5 + 5
+    assert [row["points"] for row in totals if row["code"] == last.code] == ["12"]
+    assert [row["points"] for row in totals if row["code"] == record.sheets[1].code] == ["9"]  # 6 * 0.5 + 6
     assert barriers(page) == []
     page.get_by_role("button", name="By question").click()
     page.get_by_text("One answer across the class").wait_for()

@@ -131,6 +131,10 @@ def test_an_exam_is_composed_by_sliders(visit: Open) -> None:
     found = saved(window)["problem"]
     assert [problem["family"] for problem in found] == ["spool", "four_bar"]
     assert found[1]["ask"] == ["v_B", "omega_AB", "omega_BC"] and found[0]["points"] == 7
+    page.get_by_text("The whole exam").click()
+    page.get_by_label("Page for answers with bubbles").check()
+    shows(page, "scan = true")
+    assert saved(window)["answers"] == {"scan": True}
     for _ in range(20):
         if page.locator("#source").input_value() == EXAM:
             break

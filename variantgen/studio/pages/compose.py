@@ -121,10 +121,11 @@ def _settings(document: Document) -> dict[str, Any]:
     data = document.state().data
     tolerance = data.get("tolerance", Decimal("0.01"))
     inside = tolerance if isinstance(tolerance, dict) else {"floor": tolerance}
-    page, solutions = (data[name] if isinstance(data.get(name), dict) else {} for name in ("page", "solutions"))
+    tables = (data[name] if isinstance(data.get(name), dict) else {} for name in ("page", "solutions", "answers"))
+    page, solutions, answers = tables
     found = {name: data.get(name, "") for name in ("title", "course", "date", "duration", "instructions", "language")}
     found |= {"seed": data.get("seed", 0), "depth": solutions.get("depth", "full")}
-    found |= {"duplex": page.get("duplex", True), "qr": page.get("qr", True)}
+    found |= {"duplex": page.get("duplex", True), "qr": page.get("qr", True), "scan": answers.get("scan", False)}
     found |= {"floor": percent(inside.get("floor")), "ceiling": percent(inside.get("ceiling"))}
     found["table"] = isinstance(tolerance, dict)
     return {name: "" if isinstance(value, dict) else value for name, value in found.items()}
