@@ -27,6 +27,7 @@ from variantgen.methods.steps.point_vectors import PointVectors
 from variantgen.methods.steps.printed_digits import choose_printed_digits, follow_printed_digits, items_values
 from variantgen.methods.steps.step import Item, ProgramListing, Solution, Step
 from variantgen.methods.vectors.point_vectors import point_vectors
+from variantgen.methods.velocity_check import base_point_of_velocities
 from variantgen.variants.attempts import VerificationError
 
 Made = TypeVar("Made")
@@ -108,8 +109,10 @@ def _by_groups(book: Book, found: dict[str, Value]) -> Solution:
     """The solution group by group."""
     task = book.task
     steps = used_steps(book.steps, found.values())
-    check = tuple(third_axis(steps) or other_base_point(book, steps) or equal_projections(book))
-    check = check or tuple(magnitudes(book, steps))
+    check = tuple(third_axis(steps) or other_base_point(book, steps))
+    # Only what answers need is compared: the check of velocities works out no angular velocity of its own.
+    check = check or tuple(base_point_of_velocities(book, used_lines(steps, found.values())))
+    check = check or tuple(equal_projections(book) or magnitudes(book, steps))
     results = [*found.values(), *items_values(check)]
     steps = used_lines(steps, results)
     steps = with_position(task, book.geometry.items, steps, results)

@@ -14,7 +14,6 @@ from typing import TypeGuard
 from variantgen.algebra.expression import Constant, Expression, Total, Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.substitution import substituted
-from variantgen.algebra.values import in_order
 from variantgen.methods.solution.book import Book
 from variantgen.methods.solution.named_angles import renamed
 from variantgen.methods.steps.step import (
@@ -46,18 +45,21 @@ _SEEN = 0.1  # cosine of an angle at which a vector is still seen on an axis
 def equal_projections(book: Book) -> list[Item]:
     """Projections of two velocities of a body on the line of their points, each worked out; nothing if none is fit.
 
-    Fit are two points that both move, with velocities of known direction that are not across their line.
+    Fit are two points that both move, with velocities of known direction that are not across their line. Those that
+    were found by the velocity centre of the body have equal projections whatever its distances are worked out to be.
     """
     for body, members in book.task.scene.bodies.items():
+        if ("P", body) in book.centres:
+            continue
         moving = [p for p in members if len(book.velocity.get(p, ())) == 1]
         for first, second in combinations(moving, 2):
-            items = [] if _are_equated(book, first, second) else _pair(book, body, first, second)
+            items = [] if are_equated(book, first, second) else _pair(book, body, first, second)
             if items:
                 return items
     return []
 
 
-def _are_equated(book: Book, first: str, second: str) -> bool:
+def are_equated(book: Book, first: str, second: str) -> bool:
     """Whether the velocities of two points were found by their equal projections."""
     ends = (Segment(first, second), Segment(second, first))
     return any(book.has_said(key, segment=segment) for key in _EQUATED for segment in ends)
@@ -89,24 +91,31 @@ def _balance(line: VectorLine, values: Mapping[Name | None, Value], axis: Value)
     sides = []
     for terms in (line.left, line.right):
         known = [replace(term, size=values[term.name]) if term.size is None else term for term in terms]
-        sides.append([_by_number(share) for share in shares(known, axis)])
-    sums_of_angles: dict[Value, Expression] = {
-        share.angle: share.angle.expression
-        for side in sides
-        for share in side
-        if _is_sum(share.angle) and share.angle.expression is not None
-    }
+        sides.append(list(shares(known, axis)))
     word = next(word for word, own in _AXES.items() if own is axis)
-    sums = [sum_of(side) for side in sides]
-    if sums[0].number(True) < 0:
+    if sum_of(sides[0]).number(True) < 0:
         word = {"right": "left", "up": "down"}[word]
-        sums = [sum_of([replace(share, sign=-share.sign) for share in side]) for side in sides]
+        sides = [[replace(share, sign=-share.sign) for share in side] for side in sides]
     scale = max(value.exact for value in values.values() if value.measure in ("acceleration", "velocity"))
-    written = [substituted(whole, sums_of_angles) or Constant(0.0) for whole in sums]
-    found = [Value(None, "number", whole.number(True), whole, scale) for whole in written]
+    found = [worked_out(side, scale) for side in sides]
     first, second = (VectorOf(term.name) for term in unknowns((*line.left, *line.right)))
     facts: dict[str, Fact] = {"side": Word(word), "first": first, "second": second}
     return [Sentence("check.third_axis", facts, detail=False), Balance(*found)]
+
+
+def worked_out(projections: Sequence[Share], scale: float, table: Mapping[Value, Expression] | None = None) -> Value:
+    """The sum of projections as a side of a check, in ``scale``: each angle by its letter, a short sum or a number.
+
+    In place of a value in the ``table`` the arithmetic stands that gives it.
+    """
+    written = [_by_number(share) for share in projections]
+    table = dict(table or {}) | {
+        share.angle: share.angle.expression
+        for share in written
+        if _is_sum(share.angle) and share.angle.expression is not None
+    }
+    whole = substituted(sum_of(written), table) or Constant(0.0)
+    return Value(None, "number", whole.number(True), whole, scale)
 
 
 def _by_number(share: Share) -> Share:
@@ -149,14 +158,7 @@ def _pair(book: Book, body: str, first: str, second: str) -> list[Item]:
     facts: dict[str, Fact] = {"body": Body(body), "segment": Segment(first, second)}
     facts |= {"first": VectorOf(terms[0].name), "second": VectorOf(terms[1].name)}
     items: list[Item] = [Sentence("check.projections", facts, detail=False)]
-    angles = [share.angle for share in found if share.angle is not None]
-    items += [Derived(corner) for corner in in_order(angles) if _is_new(book, corner)]
     return items + [Derived(_projection(share)) for share in found]
-
-
-def _is_new(book: Book, value: Value) -> bool:
-    """Whether a value is a corner of a triangle that no step has needed: the directions here follow from it."""
-    return value.name is not None and value.name.part in ("centre", "vertex") and value.name not in book.values
 
 
 def _projection(share: Share) -> Value:
