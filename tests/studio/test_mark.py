@@ -19,6 +19,7 @@ from typing import Any
 import pytest
 from PIL import Image
 from playwright.sync_api import expect
+from starlette.requests import Request
 
 from tests.marking.test_scan import STUDENTS, Built, build, filled, written
 from tests.studio.asking import PORT, Answer, Asking
@@ -28,7 +29,9 @@ from variantgen.cli import main
 from variantgen.exam import answer_page
 from variantgen.exam.manifest import Manifest, read_manifest
 from variantgen.studio.app import make_app
+from variantgen.studio.marking.folder import MarkingFolder
 from variantgen.studio.marking.marked import MarkedBuild
+from variantgen.studio.pages import mark_changes
 from variantgen.studio.studio import Studio
 from variantgen.studio.workspace import Workspace
 
@@ -340,10 +343,8 @@ def test_a_scan_is_looked_at_beside_the_answers(visit: Callable[..., Visit], sca
     page.get_by_text("This page cannot be shown").wait_for()
 
 
-def test_reading_scans_is_stopped(
-    asking: Asking, scan_exam: Built, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """After a page; the file is in the bin, and comes back by undo."""
+def builds_made(monkeypatch: pytest.MonkeyPatch) -> list[MarkedBuild]:
+    """The marks of builds that are begun from now on."""
     marked: list[MarkedBuild] = []
     made = MarkedBuild.__init__
 
@@ -352,6 +353,14 @@ def test_reading_scans_is_stopped(
         marked.append(own)
 
     monkeypatch.setattr(MarkedBuild, "__init__", noted)
+    return marked
+
+
+def test_reading_scans_is_stopped(
+    asking: Asking, scan_exam: Built, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """After a page; the file is in the bin, and comes back by undo."""
+    marked = builds_made(monkeypatch)
     answers: list[Answer] = []
     stop = threading.Thread(target=lambda: answers.append(asking.post(f"/exam/mark/stop?build={BUILD}", {})))
 
@@ -374,6 +383,74 @@ def test_reading_scans_is_stopped(
     place = asking.post("/exam/undo", {"version": state["version"]}).json()["place"]
     assert place == {"pages": ["mark"], "address": f"/exam/mark?build={BUILD}#"}
     assert "Removed: 1" not in asking.get(f"/exam/mark/list?build={BUILD}").text
+
+
+def test_stopping_another_reading_keeps_what_was_read(
+    asking: Asking, scan_exam: Built, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A file that was read by other rules stays; what goes is noted before another window may change the files."""
+    marked = builds_made(monkeypatch)
+    for n in range(2):
+        page = filled(scan_exam.pages[n], [written(value) for _, value in scan_exam.key[n]], [])
+        page.save(tmp_path / f"{n}.pdf", resolution=150)
+    assert bring(asking, (tmp_path / "0.pdf").read_bytes(), "first.pdf").status == 200
+    assert "Handed in: 1 of 3" in asking.get(f"/exam/mark/list?build={BUILD}").text
+    rules = {"fields": {"tolerance": "2"}, "use": True}
+    assert asking.post(f"/exam/mark/policy?build={BUILD}", rules).status == 200
+    assert bring(asking, (tmp_path / "1.pdf").read_bytes(), "second.pdf").status == 200
+    free: list[bool] = []
+    noted = mark_changes._noted
+
+    def noting(request: Request, folder: MarkingFolder, *what: str) -> None:
+        with ThreadPoolExecutor() as other:
+            free.append(other.submit(folder.lock.acquire, blocking=False).result())
+        noted(request, folder, *what)
+
+    monkeypatch.setattr(mark_changes, "_noted", noting)
+    answers: list[Answer] = []
+    stop = threading.Thread(target=lambda: answers.append(asking.post(f"/exam/mark/stop?build={BUILD}", {})))
+
+    def told(_: object, event: str, **data: object) -> None:
+        if event == "scan" and data["file"] == "second.pdf":
+            raise AssertionError("is read after the stop")
+        if event == "scan" and not stop.ident:
+            stop.start()
+            assert marked[0].stopping.wait(20)
+
+    monkeypatch.setattr("variantgen.studio.events.Events.tell", told)
+    answer = asking.get(f"/exam/mark/list?build={BUILD}")
+    stop.join(20)
+    assert answer.status == 400 and answers[0].json()["files"] == 1 and free == [False]
+    monkeypatch.setattr("variantgen.studio.events.Events.tell", lambda *_, **__: None)
+    listed = asking.get(f"/exam/mark/list?build={BUILD}").text
+    assert "Removed: 1" in listed and "Handed in: 1 of 3" in listed and "first.pdf" in listed
+
+
+def test_scans_of_one_build_are_shown_while_those_of_another_are_read(
+    asking: Asking, course: Path, scan_exam: Built, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Between two pages of a reading."""
+    other = BUILD.replace("2026", "2027")
+    shutil.copytree(course / "builds" / BUILD, course / "builds" / other)
+    scan_exam.pages[1].save(tmp_path / "scan.pdf", resolution=150, save_all=True, append_images=scan_exam.pages[2:3])
+    content = (tmp_path / "scan.pdf").read_bytes()
+    assert asking.ask("PUT", f"/exam/mark/answers?build={other}&name=a.pdf", (content,)).status == 200
+    address = f"/exam/mark/scan/0?build={other}&code={scan_exam.code(1)}"
+    assert asking.get(address).status == 200
+    seen: list[Answer] = []
+
+    def told(_: object, event: str, **data: object) -> None:
+        if event == "scan" and data["build"] == BUILD and data["done"] == 1:
+            window = ThreadPoolExecutor()
+            try:
+                seen.append(window.submit(asking.get, address).result(20))
+            finally:
+                window.shutdown(wait=False)
+
+    monkeypatch.setattr("variantgen.studio.events.Events.tell", told)
+    assert bring(asking, content, "scan.pdf").status == 200
+    assert asking.get(f"/exam/mark/list?build={BUILD}").status == 200
+    assert [answer.status for answer in seen] == [200]
 
 
 def test_typed_answers_stand_before_tables_and_are_taken_back(asking: Asking, course: Path, scan_exam: Built) -> None:

@@ -34,6 +34,14 @@ _COVERED = """() => {
   return found;
 }"""
 
+# The words of the bar of steps: how far each is from the left and the right of its cell, how high it is.
+_WORDS_IN_CELLS = """() => [...document.querySelectorAll(".steps li")].map(cell => {
+  const range = document.createRange(), link = cell.querySelector("a");
+  range.selectNode([...link.childNodes].find(node => node.nodeType === Node.TEXT_NODE));
+  const word = range.getBoundingClientRect(), box = cell.getBoundingClientRect();
+  return [range.toString(), word.left - box.left, Math.min(box.right, innerWidth) - word.right, word.height];
+})"""
+
 
 def saved(visit: Visit, name: str = "exam") -> dict[str, Any]:
     return tomllib.loads((visit.folder / f"{name}.toml").read_text("utf-8"))
@@ -71,6 +79,16 @@ def test_nobody_meets_a_barrier(visit: Open, language: str, theme: str) -> None:
         page.set_viewport_size({"width": 1280, "height": 800})
         assert page.evaluate("document.documentElement.scrollWidth") <= 1280, (path, language)
     assert window.complaints == []
+
+
+@pytest.mark.parametrize("language", ["en", "ru"])
+def test_words_of_the_bottom_bar_have_room(visit: Open, language: str) -> None:
+    """At 360 px each word lies inside its cell with 4 px at either side, on one line."""
+    page = visit(width=360).open("/exam/mark", language)
+    found = page.evaluate(_WORDS_IN_CELLS)
+    assert len(found) == 5
+    for word, left, right, high in found:
+        assert left >= 4 and right >= 4 and high < 24, (word, left, right, high)
 
 
 def test_an_exam_begins_with_pictures(visit: Open) -> None:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Generator, Mapping, Sequence
+from contextlib import closing
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -89,10 +90,12 @@ def collect(
     key: Key,
     names: Mapping[Path, str] | None = None,
     tell: Callable[[Path, int], None] = lambda *_: None,
+    opened: Callable[[Path], Generator[ScanImage]] = pictures,
 ) -> Scans:
     """Read the pages of some files; ``names`` are words for them where their own may name students.
 
     ``tell`` is called for each page that has been read, with its file and how many of that have been.
+    ``opened`` gives the pages of a file one by one.
 
     Raises InputError for a file that cannot be opened, and ToolMissingError where a package is missing.
     """
@@ -100,9 +103,10 @@ def collect(
     class_ = _Class(key)
     for path in paths:
         name = path.name if names is None else names[path]
-        for number, picture in enumerate(pictures(path), start=1):
-            class_.add(replace(picture, where=name + picture.where.removeprefix(path.name)), path, number)
-            tell(path, number)
+        with closing(opened(path)) as found:
+            for number, picture in enumerate(found, start=1):
+                class_.add(replace(picture, where=name + picture.where.removeprefix(path.name)), path, number)
+                tell(path, number)
         class_.end_of_file(name)
     class_.end()
     return class_.scans

@@ -5,7 +5,7 @@ from __future__ import annotations
 import importlib
 import io
 import warnings
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -52,7 +52,7 @@ def check_packages() -> None:
             raise missing_package("scans are read with", package, "scan") from None
 
 
-def pictures(path: Path, only: int = 0) -> Iterator[ScanImage]:
+def pictures(path: Path, only: int = 0) -> Generator[ScanImage]:
     """The pages of a file one by one, or ``only`` that of a number, from 1 (none where the file has fewer pages).
 
     Raises InputError for a file that cannot be opened or is too large.

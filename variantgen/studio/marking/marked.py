@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Generator
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TypeAlias
@@ -22,13 +22,13 @@ from variantgen.marking.scan.collecting import LostPage, Question, Scans, SeenPa
 from variantgen.marking.scan.copies import ScannedAnswer
 from variantgen.marking.scan.excerpts import page_png
 from variantgen.marking.scan.joining import join
-from variantgen.marking.scan.pictures import is_picture, page_count, pictures
+from variantgen.marking.scan.pictures import ScanImage, is_picture, page_count, pictures
 from variantgen.marking.worth import worth_of
 from variantgen.studio.marking.folder import MarkingFolder
 from variantgen.studio.workspace import Workspace
 
 Tell: TypeAlias = Callable[[str, int, int], None]
-_PDFIUM = threading.Lock()  # the library that opens scans is for one thread at a time; so one page is in memory
+_PDFIUM = threading.Lock()  # the library that opens scans is for one thread at a time: held for a page, never a file
 
 
 class _StoppedError(Exception):
@@ -80,6 +80,7 @@ class MarkedBuild:
         self._known: tuple[tuple[object, ...], MarkedClass] | None = None
         self._restored: tuple[int, Finished] | None = None
         self._scans: tuple[tuple[object, ...], Scans] | None = None
+        self._read: set[tuple[str, int]] = set()  # the files that were read to the end, by whatever rules
 
     def current(self) -> MarkedClass:
         """The marks of what is there now. Raises InputError where the build cannot be read, or scans no longer are."""
@@ -96,19 +97,25 @@ class MarkedBuild:
         """A page of a scan (PNG), opened for this. Raises InputError where it is no longer there."""
         with _PDFIUM:
             found = list(pictures(page.path, page.within)) if page.path in self._folder.every() else []
-            grey = found[0].grey if found else None
-            if grey is None:
-                raise InputError(Problem("there is no such page", value=page.where, remedy="load the page again"))
-            return page_png(grey, page.placed)
+        grey = found[0].grey if found else None
+        if grey is None:
+            raise InputError(Problem("there is no such page", value=page.where, remedy="load the page again"))
+        return page_png(grey, page.placed)
 
-    def stop(self) -> dict[str, str]:
-        """Stop reading scans; files not read to the end go into the bin: their names there by those before."""
+    def stop(self, done: Callable[[str, str], None]) -> int:
+        """Stop reading scans; files that were never read to the end go into the bin: how many those are.
+
+        ``done`` is told the name of each and that in the bin before another window may change the files.
+        """
         self.stopping.set()
         try:
-            with self._lock:
-                read = self._scans[0] if self._scans else ()
+            with self._lock:  # from here on nothing is read to the end until ``stopping`` is cleared
+                read = frozenset(self._read)
+            with self._folder.lock:
                 unread = [path for path in self._folder.every() if is_picture(path) and _stamp(path) not in read]
-                return {path.name: self._folder.remove(path.name) for path in unread}
+                for path in unread:
+                    done(path.name, self._folder.remove(path.name))
+            return len(unread)
         finally:
             self.stopping.clear()
 
@@ -168,19 +175,34 @@ class MarkedBuild:
         """What the scans say; they are read once, whatever is typed."""
         version = (policy.tolerance, *map(_stamp, scans))
         if self._scans is None or self._scans[0] != version:
-            if self._scans is not None and self._scans[0][0] != policy.tolerance:
-                self._scans = None
             names = self._folder.names()
 
             def tell(path: Path, done: int) -> None:
                 if self.stopping.is_set():
                     raise _StoppedError
-                self._tell(names.get(path.name, path.name), done, pages[path])
+                self._tell(names.get(path.name, path.name), done, pages[path][0])
+                if done == pages[path][0]:
+                    self._read.add(pages[path][1])
 
             with _PDFIUM:
-                pages = {path: page_count(path) for path in scans}
-                self._scans = version, collect(scans, Key(finished.record, policy.tolerance), tell=tell)
+                pages = {path: (page_count(path), _stamp(path)) for path in scans}
+            self._scans = version, collect(scans, Key(finished.record, policy.tolerance), tell=tell, opened=_opened)
         return replace(self._scans[1], answers=dict(self._scans[1].answers))
+
+
+def _opened(path: Path) -> Generator[ScanImage]:
+    """The pages of a scan; between them others may open theirs."""
+    found = pictures(path)
+    try:
+        while True:
+            with _PDFIUM:
+                picture = next(found, None)
+            if picture is None:
+                return
+            yield picture
+    finally:
+        with _PDFIUM:
+            found.close()
 
 
 def _stamp(path: Path) -> tuple[str, int]:

@@ -58,10 +58,8 @@ async def stop(request: Request) -> Response:
 
     await read_json(request)
     folder, marked = marking_of(request)
-    files = await run_in_threadpool(marked.stop)
-    for file, kept in files.items():
-        await run_in_threadpool(_noted, request, folder, "file_removed", file, kept)
-    return JSONResponse({"files": len(files), "command": command_of(studio_of(request), folder)})
+    files = await run_in_threadpool(marked.stop, partial(_noted, request, folder, "file_removed"))
+    return JSONResponse({"files": files, "command": command_of(studio_of(request), folder)})
 
 
 async def restore(request: Request) -> Response:
