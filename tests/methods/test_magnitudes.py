@@ -51,6 +51,15 @@ def test_two_points_that_were_found_apart() -> None:
     assert low < 5 < high
 
 
+def test_two_corners_of_an_equilateral_triangle() -> None:
+    # BD = AB = 2, omega = 1, epsilon = 2: BD sqrt(4 + 1); a_D and a_B were both found from A.
+    data = {"AB": 2, "omega": 1, "epsilon": 2, "a_A": 3}
+    key, (low, about, high) = bound(worked_book("triangle_plate", "equilateral", "a_B a_D", **data))
+    assert key == "check.apart"
+    assert about == pytest.approx(2 * math.sqrt(5))
+    assert low < about < high
+
+
 def test_a_point_of_a_rim_between_its_extremes() -> None:
     assert bound(racks()) == ("check.slowest_and_fastest", pytest.approx([30, math.hypot(40, 10), 50]))
 

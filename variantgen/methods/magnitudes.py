@@ -5,7 +5,7 @@ It applies where no other check stands (:mod:`variantgen.methods.result_check`) 
 - a point C between A and B of a body has a vector between theirs, ``a_C < max(a_A, a_B)``, where no one of the three
   was worked out by both others: half their sum could not break the bound;
 - of B and D, none of which was the base point of the other, ``a_D - a_B < BD sqrt(epsilon^2 + omega^4) < a_D + a_B``,
-  or ``omega BD`` for velocities, where BD is given;
+  or ``omega BD`` for velocities, where BD is given or equal to a given side;
 - no point at the distance of a contact from the centre of a wheel is faster than the fastest contact, nor slower than
   the slowest, ``v_K < v_M < v_L``, where the centre moves along the tangents there and M was found from the centre.
 
@@ -104,7 +104,7 @@ def _apart(book: Book, shown: Collection[Name | None]) -> Iterator[tuple[Sentenc
         if about is None:
             continue
         for first, second in combinations(members, 2):
-            distance = book.geometry.length(first, second)
+            distance = _distance(book, members, first, second)
             ends = _magnitudes(book, (first, second), shown)
             if not ends or not _are_apart(*ends) or _is_base_point(book, first, second) or not _is_given(distance):
                 continue
@@ -116,6 +116,15 @@ def _apart(book: Book, shown: Collection[Name | None]) -> Iterator[tuple[Sentenc
             facts |= {"first": Name(book.letter, first), "second": Name(book.letter, second)}
             ends_of_range = [_sum(high, -1, low), middle, _sum(high, 1, low)]
             yield Sentence("check.apart", facts, detail=False), ends_of_range
+
+
+def _distance(book: Book, members: Sequence[str], first: str, second: str) -> Value:
+    """The distance of two points, or a given one of the body that is equal to it, as in an equilateral triangle."""
+    own = book.geometry.length(first, second)
+    if _is_given(own):
+        return own
+    others = (book.geometry.length(*ends) for ends in combinations(members, 2))
+    return next((o for o in others if _is_given(o) and abs(o.exact - own.exact) <= _SAME * own.exact), own)
 
 
 def _is_given(value: Value) -> bool:
