@@ -12,9 +12,9 @@ from variantgen.families.reading.folders import family_names
 from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import Motion
-from variantgen.methods.agreement import AGREES, deviation
-from variantgen.methods.compose import work_out
-from variantgen.methods.linkage.problem import Task, task_of
+from variantgen.methods.agreement import deviation
+from variantgen.methods.linkage.problem import AGREES, Task, task_of
+from variantgen.methods.natural_answers import work_out
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.method_style import MethodStyle
 from variantgen.variants.draw import FamilySampler

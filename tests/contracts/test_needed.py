@@ -96,6 +96,12 @@ def test_list_checks_no_family_of_the_catalogue() -> None:
 def test_solve_loads_no_more_than_it_needs() -> None:
     own, packages = loaded(["solve", "slider_crank", "--seed", "1"])
     assert parts(own) <= SOLVING
+    # Of an exam the answers alone; of methods those that lead to them, nothing that chooses, checks or prints steps.
+    assert not own & {"exam.exam_file", "exam.notices", "exam.roster", "wording.inline"}
+    printing = ("agreement", "compose", "magnitudes", "other_base_point", "printed_numbers", "result_check")
+    others = ("by_groups.closed_chain", "by_groups.three_rates", "centres.projections", "vectors.cylinder")
+    assert not own & {f"methods.{name}" for name in (*printing, *others, "steps.printed_digits")}
+    assert not {name for name in own if name.startswith(("methods.coordinates", "methods.graphical"))}
     assert packages <= {"numpy"}
 
 

@@ -7,8 +7,8 @@ from decimal import Decimal
 from variantgen.algebra.expression import Value
 from variantgen.families.quantities import parse_quantity
 from variantgen.families.reading.load import load_family
-from variantgen.methods.compose import work_out
 from variantgen.methods.linkage.problem import task_of
+from variantgen.methods.natural_answers import work_out
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Projection, Sentence, Step, TermTable
 from variantgen.variants.variant import Variant, solve_variants

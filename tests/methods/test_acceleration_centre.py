@@ -10,7 +10,7 @@ import pytest
 from tests.methods.test_velocity_centre import keys
 from tests.solved_cases import case_of, task
 from variantgen.methods.agreement import deviation
-from variantgen.methods.compose import work_out
+from variantgen.methods.natural_answers import work_out
 from variantgen.methods.solution.book import Book, resultant
 from variantgen.methods.steps.method_style import MethodStyle
 

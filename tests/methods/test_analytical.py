@@ -10,8 +10,9 @@ from tests.methods.applying import APPLYING
 from tests.methods.forms import FORMS, IDS, answers, exact, tasks
 from tests.solved_cases import case_of, task
 from variantgen.algebra.name import Name
-from variantgen.methods.agreement import AGREES, deviation
+from variantgen.methods.agreement import deviation
 from variantgen.methods.coordinates import analytical
+from variantgen.methods.linkage.problem import AGREES
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Derived
 

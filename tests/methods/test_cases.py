@@ -7,7 +7,7 @@ import pytest
 from tests.solved_cases import every_case, task
 from variantgen.families.family import Family
 from variantgen.families.reading.cases import Case
-from variantgen.methods.compose import work_out
+from variantgen.methods.natural_answers import work_out
 from variantgen.methods.solution.book import Book
 
 CASES = every_case()

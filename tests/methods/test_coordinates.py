@@ -13,9 +13,10 @@ from tests.solved_cases import case_of, task
 from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
 from variantgen.mechanism.component import discover
-from variantgen.methods.agreement import AGREES, deviation
+from variantgen.methods.agreement import deviation
 from variantgen.methods.compose import solution
 from variantgen.methods.coordinates import coordinates
+from variantgen.methods.linkage.problem import AGREES
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Derived, LinearSystem
 from variantgen.wording.language import load_language

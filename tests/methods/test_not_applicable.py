@@ -10,6 +10,7 @@ import pytest
 from tests.scene_texts import CRANK
 from variantgen.cli import main
 from variantgen.methods import compose
+from variantgen.methods.by_groups import solve_groups
 from variantgen.methods.steps.not_applicable import NotApplicableError
 
 # A body on a level line, its three points driven and guided upright: no velocity tells a second direction.
@@ -116,7 +117,7 @@ def test_without_any_method_the_answers_stand(tmp_path, capsys, monkeypatch):
     def nowhere(*_):
         raise NotApplicableError("nowhere")
 
-    monkeypatch.setattr(compose.solve_groups, "velocities", nowhere)
+    monkeypatch.setattr(solve_groups, "velocities", nowhere)
     monkeypatch.setattr(compose, "_by_one_method", nowhere)
     path = written(tmp_path, LEVEL)
     assert answers(path, capsys)["omega_p"]["value"] == pytest.approx(0.5)
@@ -139,7 +140,7 @@ def test_check_says_that_nothing_explains_it(tmp_path, capsys, monkeypatch):
     def nowhere(*_):
         raise NotApplicableError("nowhere")
 
-    monkeypatch.setattr(compose.solve_groups, "velocities", nowhere)
+    monkeypatch.setattr(solve_groups, "velocities", nowhere)
     monkeypatch.setattr(compose, "_by_one_method", nowhere)
     assert main(["check", written(tmp_path, LEVEL)]) == 0
     assert "no method of solution leads to omega_p, v_O" in capsys.readouterr().out
@@ -149,7 +150,7 @@ def test_build_and_show_without_any_method(tmp_path, capsys, monkeypatch):
     def nowhere(*_):
         raise NotApplicableError("nowhere")
 
-    monkeypatch.setattr(compose.solve_groups, "velocities", nowhere)
+    monkeypatch.setattr(solve_groups, "velocities", nowhere)
     monkeypatch.setattr(compose, "_by_one_method", nowhere)
     monkeypatch.chdir(tmp_path)
     own = tmp_path / "level"

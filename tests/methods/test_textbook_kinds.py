@@ -15,7 +15,7 @@ from variantgen.errors import InputError
 from variantgen.families.asking import read_ask
 from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import motion_order, split_name
-from variantgen.methods import compose
+from variantgen.methods import compose, natural_answers
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import task_of
 from variantgen.methods.solution.book import Book
@@ -44,7 +44,7 @@ UNCONFIRMED_FROM_REST = {"plate_two_directions"}
 @pytest.fixture
 def wrong_is_wrong(monkeypatch: pytest.MonkeyPatch) -> None:
     """A natural solution that is not confirmed fails; of a scene of one's own coordinates would take its place."""
-    monkeypatch.setattr(compose, "_is_own_scene", lambda task: False)
+    monkeypatch.setattr(natural_answers, "_is_own_scene", lambda task: False)
 
 
 def _answered(variant: Variant, names: list[str], methods: tuple[str, ...]) -> list[str]:
@@ -71,7 +71,7 @@ def test_everything_together(path, method):
 def test_natural_methods_alone(path, monkeypatch):
     """Nothing takes the place of the natural methods."""
     monkeypatch.setattr(
-        compose, "_by_choice", lambda task, choice, _, make: make(Book(task, style=choice.style), choice.whole)
+        compose, "by_choice", lambda task, choice, _, make: make(Book(task, style=choice.style), choice.whole)
     )
     variant = one_variant(str(path))
     if path.stem in NOT_LINK_BY_LINK:

@@ -6,8 +6,9 @@ import pytest
 
 from tests.methods.forms import FORMS, IDS, answers, exact, tasks
 from tests.solved_cases import case_of, task
-from variantgen.methods.agreement import AGREES, deviation
+from variantgen.methods.agreement import deviation
 from variantgen.methods.by_groups import three_rates
+from variantgen.methods.linkage.problem import AGREES
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import LinearSystem
 from variantgen.methods.steps.step_geometry import ChainGraph

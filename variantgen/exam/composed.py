@@ -18,9 +18,9 @@ from variantgen.figure.build import statement_figure
 from variantgen.figure.faults import figure_faults
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.verification.verify import recompute
-from variantgen.methods.compose import natural_answers
 from variantgen.methods.hand.work import work_of
 from variantgen.methods.linkage.problem import task_of
+from variantgen.methods.natural_answers import natural_answers
 from variantgen.synthesis.compose import MOST_TRIES, compose
 from variantgen.synthesis.statement_text import composed_languages
 from variantgen.synthesis.structures import Structure, moving_links

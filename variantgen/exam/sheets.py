@@ -6,10 +6,9 @@ import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
+from typing import TYPE_CHECKING
 
 from variantgen.exam.answer_tolerances import AnswerTolerances
-from variantgen.exam.exam_file import ExamProblem
-from variantgen.exam.roster import Student
 from variantgen.exam.tolerance import Tolerance, places_by_tolerance
 from variantgen.families.asking import Ask, read_ask
 from variantgen.families.parameters.units import Unit
@@ -17,11 +16,15 @@ from variantgen.families.quantities import Quantity, motion_order, recorded
 from variantgen.mechanism.motion import Field, Motion
 from variantgen.mechanism.solving.closed_form import square_fractions
 from variantgen.methods.hand.confirmation import confirm_answers
-from variantgen.methods.hand.work import Work
 from variantgen.variants.seeding import digest
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Surd
 from variantgen.wording.surds import surd
+
+if TYPE_CHECKING:
+    from variantgen.exam.exam_file import ExamProblem
+    from variantgen.exam.roster import Student
+    from variantgen.methods.hand.work import Work
 
 _CODE_LETTERS = "23456789ACDEFGHJKLMNPQRTUVWXYZ"
 

@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from variantgen.algebra.expression import Value
-from variantgen.methods.linkage.problem import Task
+from variantgen.methods.linkage.problem import AGREES, Task
 from variantgen.methods.printed_numbers import PrintedNumbers
 from variantgen.methods.solution.book import Book, Known, resultant
 from variantgen.methods.steps.step import Sentence, Solution, Step
 from variantgen.variants.attempts import VerificationError
-
-AGREES = 1e-9  # of the natural scale: rounding of the arithmetic
 
 
 def deviation(book: Book) -> float:

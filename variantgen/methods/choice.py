@@ -8,11 +8,10 @@ from functools import lru_cache
 from itertools import zip_longest
 
 from variantgen.errors import InputError, Problem
-from variantgen.methods.by_groups import solve_groups, three_rates
+from variantgen.methods.by_groups import solve_groups
 from variantgen.methods.by_groups.group_methods import GROUP_METHODS
-from variantgen.methods.coordinates import analytical, coordinates
-from variantgen.methods.graphical import graphical
 from variantgen.methods.linkage.problem import Task
+from variantgen.methods.on_demand import on_demand
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.method_style import MethodStyle
 from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
@@ -32,10 +31,13 @@ class WholeMethod:
 
 
 WHOLE: dict[str, WholeMethod] = {
-    "analytical": WholeMethod(analytical.applies, analytical.solve),
-    "three_rates": WholeMethod(three_rates.applies, three_rates.solve),
-    "graphical": WholeMethod(graphical.applies, graphical.solve, graphical.ANSWER_DIGITS),
-    "coordinates": WholeMethod(coordinates.applies, coordinates.solve),
+    name: WholeMethod(on_demand(module, "applies"), on_demand(module, "solve"), digits)
+    for name, module, digits in (
+        ("analytical", "coordinates.analytical", 0),
+        ("three_rates", "by_groups.three_rates", 0),
+        ("graphical", "graphical.graphical", 3),  # what readings to 0.1 mm are worth
+        ("coordinates", "coordinates.coordinates", 0),
+    )
 }
 
 

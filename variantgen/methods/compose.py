@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
-from typing import TypeVar
 
 from variantgen.algebra.expression import Value
 from variantgen.errors import InputError
 from variantgen.families.quantities import Quantity
 from variantgen.methods.agreement import confirm, confirm_answers
-from variantgen.methods.by_groups import solve_groups
-from variantgen.methods.by_groups.answers import answer
-from variantgen.methods.choice import WHOLE, Choice, choose
+from variantgen.methods.choice import WHOLE, choose
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.magnitudes import magnitudes
+from variantgen.methods.natural_answers import by_choice, found_by, method_names, work_out
 from variantgen.methods.other_base_point import other_base_point
 from variantgen.methods.result_check import by_links, equal_projections, third_axis
 from variantgen.methods.solution.book import Book
@@ -28,11 +26,7 @@ from variantgen.methods.steps.printed_digits import choose_printed_digits, follo
 from variantgen.methods.steps.step import Item, ProgramListing, Solution, Step
 from variantgen.methods.vectors.point_vectors import point_vectors
 from variantgen.methods.velocity_check import base_point_of_velocities
-from variantgen.variants.attempts import VerificationError
 
-Made = TypeVar("Made")
-
-_FOR_ALL = "coordinates"  # the method that needs no order of the links
 _LINK_BY_LINK = "three_rates"  # the method for a whole problem whose steps are those of its links
 
 
@@ -44,64 +38,14 @@ def solution(task: Task, wished: Sequence[str] = ()) -> Solution:
     does not apply, one of NOT_APPLICABLE where no method leads to what is asked, VerificationError where anything that
     is printed deviates from the solver.
     """
-    return _by_choice(task, choose(task, wished), bool(wished), _written)
-
-
-def natural_answers(task: Task) -> dict[str, Value]:
-    """The answers to which the natural solution leads, by the names of the quantities, without writing it.
-
-    Raises one of NOT_APPLICABLE where no method leads to what is asked, VerificationError where the answers of a scene
-    of one's own are not the solver's.
-    """
-    return _by_choice(task, choose(task), False, _confirmed if _is_own_scene(task) else _found)
-
-
-def _by_choice(task: Task, choice: Choice, wished: bool, make: Callable[[Book, str], Made]) -> Made:
-    """What is made with a book by the methods of a choice, or by the coordinate method where they lead nowhere."""
-    failures: tuple[type[Exception], ...] = NOT_APPLICABLE
-    if _is_own_scene(task):
-        failures += (VerificationError,)
-    try:
-        return make(Book(task, style=choice.style), choice.whole)
-    except failures:
-        if wished or choice.whole == _FOR_ALL:
-            raise
-        try:
-            return make(Book(task), _FOR_ALL)
-        except failures:
-            pass  # what is said is why the natural methods fail
-        raise
-
-
-def _is_own_scene(task: Task) -> bool:
-    """Whether the mechanism is that of a file by itself, not of a family that is checked."""
-    return task.variant.family.folder is None
-
-
-def _found(book: Book, whole: str) -> dict[str, Value]:
-    """The answers by a method for the whole problem if one is named, else group by group."""
-    if not whole:
-        return work_out(book)
-    WHOLE[whole].solve(book)
-    return {q.name: answer(book.at(max(1, q.order)), q) for q in book.task.asked}
-
-
-def _confirmed(book: Book, whole: str) -> dict[str, Value]:
-    """The answers, which are those of the solver."""
-    found = _found(book, whole)
-    confirm_answers(book.task, found, _names(book, whole))
-    return found
-
-
-def _names(book: Book, whole: str) -> tuple[str, ...]:
-    return (whole,) if whole else (book.style.velocities, book.style.accelerations)
+    return by_choice(task, choose(task, wished), bool(wished), _written)
 
 
 def _written(book: Book, whole: str) -> Solution:
     """The solution with its printed numbers, confirmed."""
-    found = _found(book, whole)
+    found = found_by(book, whole)
     written = _by_one_method(book, whole, found) if whole else _by_groups(book, found)
-    confirm(book, written, _names(book, whole))
+    confirm(book, written, method_names(book, whole))
     return written
 
 
@@ -175,14 +119,3 @@ def _checked_by_links(task: Task) -> list[Item]:
         return []
     confirm_answers(task, found, (book.style.velocities, book.style.accelerations))
     return by_links(found)
-
-
-def work_out(book: Book) -> dict[str, Value]:
-    """Velocities, then accelerations if any are asked; the answers by the names of the quantities, in their order."""
-    task = book.task
-    groups = solve_groups.velocities(book) if task.sought else []
-    found = {q.name: answer(solve_groups.at_order(book, 1), q) for q in task.asked if q.order < 2}
-    if task.order == 2:
-        solve_groups.accelerations(book, groups)
-        found |= {q.name: answer(solve_groups.at_order(book, 2), q) for q in task.asked if q.order == 2}
-    return {q.name: found[q.name] for q in task.asked}

@@ -76,7 +76,7 @@ def variant_work(variant: Variant, motion: Motion, place: int, asked: Sequence[Q
 
     None where no method leads to what is asked.
     """
-    from variantgen.methods.compose import natural_answers  # loaded when a solution is worked out
+    from variantgen.methods.natural_answers import natural_answers  # loaded when a solution is worked out
 
     try:
         return work_of(natural_answers(task_of(variant, motion, place, asked)).values())

@@ -6,9 +6,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from variantgen.methods.by_groups import closed_chain
-from variantgen.methods.centres import acceleration_centre, guided_body, known_centre, projections, velocity_centre
 from variantgen.methods.groups.group import Dyad, ThirdClassGroup, TwoPointBody
+from variantgen.methods.on_demand import on_demand
 from variantgen.methods.solution.book import Book
 
 Applies = Callable[[Book, Any], bool]
@@ -36,19 +35,31 @@ GROUP_METHODS: dict[str, GroupMethod] = {
         (1,),
         ("velocity_centre.", "contact.wheel", "known_centre."),
         {
-            Dyad: (velocity_centre.applies, velocity_centre.solve_dyad),
-            ThirdClassGroup: (guided_body.applies, guided_body.solve),
-            TwoPointBody: (known_centre.is_divided, known_centre.solve_divided),
+            Dyad: (on_demand("centres.velocity_centre", "applies"), on_demand("centres.velocity_centre", "solve_dyad")),
+            ThirdClassGroup: (on_demand("centres.guided_body", "applies"), on_demand("centres.guided_body", "solve")),
+            TwoPointBody: (
+                on_demand("centres.known_centre", "is_divided"),
+                on_demand("centres.known_centre", "solve_divided"),
+            ),
         },
-        velocity_centre.carry,
+        on_demand("centres.velocity_centre", "carry"),
     ),
     "projections": GroupMethod(
-        (1,), ("projections.",), {Dyad: (projections.applies, projections.solve_dyad)}, velocity_centre.carry
+        (1,),
+        ("projections.",),
+        {Dyad: (on_demand("centres.projections", "applies"), on_demand("centres.projections", "solve_dyad"))},
+        on_demand("centres.velocity_centre", "carry"),
     ),
     "velocity_pole": GroupMethod((1,), ("pole.choose_v", "pole.crossing_v", "points.sum_v")),
     "acceleration_pole": GroupMethod((2,), ("pole.choose_a", "pole.crossing_a", "points.sum_a", "points.sum_wheel")),
-    "acceleration_centre": GroupMethod((2,), ("acceleration_centre.",), carry=acceleration_centre.carry),
+    "acceleration_centre": GroupMethod(
+        (2,), ("acceleration_centre.",), carry=on_demand("centres.acceleration_centre", "carry")
+    ),
     "relative_motion": GroupMethod((), ("relative.",)),
     # The groups of the method for whole problems (three_rates.py), which has sentences of its own.
-    "three_rates": GroupMethod((1, 2), (), {Dyad: (closed_chain.applies, closed_chain.solve_dyad)}),
+    "three_rates": GroupMethod(
+        (1, 2),
+        (),
+        {Dyad: (on_demand("by_groups.closed_chain", "applies"), on_demand("by_groups.closed_chain", "solve_dyad"))},
+    ),
 }

@@ -3,13 +3,6 @@
 from __future__ import annotations
 
 from variantgen.methods.by_groups.group_methods import GROUP_METHODS, Solve
-from variantgen.methods.centres.turning import (
-    solve_fixed_sleeve,
-    solve_pivoted_link,
-    solve_relative_rotation,
-    solve_rolling_contact_pole,
-    solve_rolling_wheel,
-)
 from variantgen.methods.groups.group import (
     ContactGroup,
     Dyad,
@@ -27,28 +20,24 @@ from variantgen.methods.groups.group import (
 )
 from variantgen.methods.groups.route import Route
 from variantgen.methods.groups.wanted import is_accelerated
+from variantgen.methods.on_demand import on_demand
 from variantgen.methods.solution.book import Book
 from variantgen.methods.vectors import given_motion
-from variantgen.methods.vectors.contact_motion import solve_contact
-from variantgen.methods.vectors.cylinder import solve_extending_link
 from variantgen.methods.vectors.points import vector
-from variantgen.methods.vectors.pole import solve_dyad, solve_floating_dyad, solve_two_point_body
-from variantgen.methods.vectors.relative_motion import solve_sliding_pair
-from variantgen.methods.vectors.third_class_group import solve_third_class_group
 
 HANDLERS: dict[type, Solve] = {
-    PivotedLink: solve_pivoted_link,
-    RollingWheel: solve_rolling_wheel,
-    Dyad: solve_dyad,
-    FloatingDyad: solve_floating_dyad,
-    SlidingPair: solve_sliding_pair,
-    RelativeRotation: solve_relative_rotation,
-    FixedSleeve: solve_fixed_sleeve,
-    ContactGroup: solve_contact,
-    ExtendingLink: solve_extending_link,
-    RollingContactPole: solve_rolling_contact_pole,
-    TwoPointBody: solve_two_point_body,
-    ThirdClassGroup: solve_third_class_group,
+    PivotedLink: on_demand("centres.turning", "solve_pivoted_link"),
+    RollingWheel: on_demand("centres.turning", "solve_rolling_wheel"),
+    Dyad: on_demand("vectors.pole", "solve_dyad"),
+    FloatingDyad: on_demand("vectors.pole", "solve_floating_dyad"),
+    SlidingPair: on_demand("vectors.relative_motion", "solve_sliding_pair"),
+    RelativeRotation: on_demand("centres.turning", "solve_relative_rotation"),
+    FixedSleeve: on_demand("centres.turning", "solve_fixed_sleeve"),
+    ContactGroup: on_demand("vectors.contact_motion", "solve_contact"),
+    ExtendingLink: on_demand("vectors.cylinder", "solve_extending_link"),
+    RollingContactPole: on_demand("centres.turning", "solve_rolling_contact_pole"),
+    TwoPointBody: on_demand("vectors.pole", "solve_two_point_body"),
+    ThirdClassGroup: on_demand("vectors.third_class_group", "solve_third_class_group"),
 }
 
 

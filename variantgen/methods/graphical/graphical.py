@@ -25,7 +25,6 @@ from variantgen.methods.steps.method_style import MethodStyle
 from variantgen.methods.steps.step import NumberOf, Sentence, Step, Term
 from variantgen.variants.printed_data import shown_points
 
-ANSWER_DIGITS = 3  # significant digits that readings to 0.1 mm are worth
 _AT_REST = 1e-9  # of the largest velocity
 _VIEWS = {"v": "velocity_plan", "a": "acceleration_plan"}
 

@@ -14,10 +14,9 @@ import numpy as np
 
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import ComplexField, Field, Motion
-from variantgen.methods.agreement import AGREES
-from variantgen.methods.compose import natural_answers
 from variantgen.methods.hand.repeatable_calculation import Array, RepeatableCalculation, cut, printed_data
-from variantgen.methods.linkage.problem import task_of
+from variantgen.methods.linkage.problem import AGREES, task_of
+from variantgen.methods.natural_answers import natural_answers
 from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.variants.attempts import VerificationError
 from variantgen.variants.variant import Variant

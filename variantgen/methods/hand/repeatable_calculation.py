@@ -14,8 +14,8 @@ from variantgen.algebra.values import in_order
 from variantgen.algebra.vectorised import Operations, rounded_at
 from variantgen.families.family import Form
 from variantgen.methods.choice import natural
-from variantgen.methods.compose import work_out
 from variantgen.methods.linkage.problem import Task
+from variantgen.methods.natural_answers import work_out
 from variantgen.methods.solution.book import Book
 from variantgen.variants.variant import Variant
 

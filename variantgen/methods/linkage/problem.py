@@ -26,6 +26,7 @@ from variantgen.methods.linkage.needed import Needed, needed_for
 from variantgen.methods.linkage.translated import Translator
 from variantgen.variants.variant import Variant, solve_variants
 
+AGREES = 1e-9  # of the natural scale: what rounding of the arithmetic leaves between a solution and the solver
 CLOSE = 1e-9  # relative difference within which two numbers are one, but for rounding
 
 
