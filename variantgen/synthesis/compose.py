@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,12 +16,13 @@ from variantgen.families.quantities import Quantity, parse_quantity
 from variantgen.families.reading.files import FAMILY
 from variantgen.families.reading.load import load_family
 from variantgen.mechanism.linkage import Linkage
-from variantgen.mechanism.motion import Motion
+from variantgen.mechanism.motion import ComplexField, Motion
 from variantgen.synthesis.chance import Chance
 from variantgen.synthesis.crowding import crossed
 from variantgen.synthesis.draft import Draft, LayoutError
 from variantgen.synthesis.family_text import changes_speed, family_text
 from variantgen.synthesis.layout import lay_out
+from variantgen.synthesis.revolving import called
 from variantgen.synthesis.statement_text import composed_languages, statement_text, title
 from variantgen.synthesis.structures import Structure, code, moving_links
 from variantgen.variants.attempts import FormSampler
@@ -33,6 +34,7 @@ from variantgen.variants.variant import Variant
 MOST_TRIES = 40  # layouts of a structure
 _LOOKED_AT, _BY_HAND = 48, 6  # draws of a layout: all of them, and those whose solutions are worked out
 _VALID, _VALID_ASKED = 0.3, 0.15  # least shares of them that pass the screens, without answers and with them
+_MANY = 1000  # on which links are called cranks and rockers
 _GOOD, _FIT = 0.6, 3  # share of draws on which a quantity is a good answer; draws that a hand can work out
 _MOST_ASKED = {1: 5, 2: 6, 3: 5}
 _FEWEST = 3
@@ -110,18 +112,24 @@ def _varied(draft: Draft, structure: Structure, scratch: Path) -> tuple[Family, 
 
     Raises LayoutError where few draws are valid, or links cross on some.
     """
-    for name, text in _statements(draft).items():
-        (scratch / name).write_text(text, "utf-8")
+    _write_statements(draft, scratch)
     for width in _WIDTHS:
         family = _family(family_text(draft, _titles(structure), code(structure), ["a_A"], width), scratch)
         draws = _Draws(family, _quantities(family, ["a_A"]), _VALID)
         if not np.any(crossed(draft, draws.motion.z)):
+            draft.called = called(draft, draws.many())
+            _write_statements(draft, scratch)
             return family, draws, width
     raise LayoutError("links cross in other variants")
 
 
 def _statements(draft: Draft) -> dict[str, str]:
     return {f"statement.{language}.j2": statement_text(draft, language) for language in composed_languages()}
+
+
+def _write_statements(draft: Draft, scratch: Path) -> None:
+    for name, text in _statements(draft).items():
+        (scratch / name).write_text(text, "utf-8")
 
 
 def _titles(structure: Structure) -> dict[str, str]:
@@ -173,6 +181,12 @@ class _Draws:
         if self.attempts.motion is None or self.attempts.number.size < least * _LOOKED_AT:
             raise LayoutError("few draws are valid")
         self.motion: Motion = self.attempts.motion
+
+    def many(self) -> Mapping[str, ComplexField]:
+        """The places of points on very many draws that pass the screens of the form, not only on those."""
+        words = Stream("compose", "many").words(_MANY * (len(self.form.parameters) + 1)).reshape(_MANY, -1)
+        motion = self.sampler.valid(self.sampler.attempts(words, np.arange(_MANY), np.arange(_MANY))).motion
+        return self.motion.z if motion is None else motion.z
 
     def good(self, name: str) -> NDArray[np.bool_]:
         """On which of them a quantity is neither trivial nor touchy."""

@@ -90,6 +90,7 @@ class Draft:
     require: list[str] = field(default_factory=list)
     symbols: dict[str, str] = field(default_factory=dict)
     nouns: dict[str, str] = field(default_factory=dict)
+    called: dict[str, str] = field(default_factory=dict)  # bodies that are cranks or rockers
 
     def letter(self) -> str:
         """The next letter of a moving point."""

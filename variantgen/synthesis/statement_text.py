@@ -44,7 +44,8 @@ def statement_text(draft: Draft, language: str) -> str:
 def _mechanism(draft: Draft, words: Mapping[str, Any]) -> list[str]:
     """A sentence for each dyad, and one for an arm before it; two in a row that begin alike are joined."""
     found: list[str] = []
-    for place, (key, facts) in enumerate(draft.sentences):
+    for place, (key, said) in enumerate(draft.sentences):
+        facts = _as_called(said, draft.called)
         for index in ("", "_to"):
             if facts.get(f"at{index}") in words["arms"]:
                 found.append(words["arms"][facts[f"at{index}"]].format(**_forms(_place(facts, index), words)))
@@ -81,11 +82,20 @@ def _position(draft: Draft, words: Mapping[str, Any]) -> str:
             form = phrases[f"{key}_{'one' if len(set(alike)) == 1 else 'many'}"]
             clauses.append(form.format(names=_joined(list(dict.fromkeys(alike)), words)))
     there = _listed(clauses, words)
+    driver = words["nouns"][draft.called.get(CRANK, "driver")]
     opening = "given" if draft.opening == "given" and not draft.relative else "in_position"  # the shorter one
     if there:
         there = f"; {there}" if opening == "given" else f"{there}; "
     motion = phrases["changing" if changes_speed(draft) else "constant"]
-    return str(phrases[opening].format(angles=_listed(angles, words), clauses=there)) + str(motion) + "."
+    return str(phrases[opening].format(angles=_listed(angles, words), clauses=there, driver=driver)) + str(motion) + "."
+
+
+def _as_called(facts: Facts, known: Mapping[str, str]) -> Facts:
+    """The facts with links called what they are: cranks and rockers; ``turning``: what a rod drives, ``driver``: OA."""
+    bodies = {"noun": "bar", "at_noun": "at_link", "at_to_noun": "at_to_link"}
+    nouns = {noun: known[facts[body]] for noun, body in bodies.items() if facts.get(body) in known}
+    driver = known.get(CRANK, "driver")
+    return {**facts, **nouns, "driver": driver, "turning": known.get(facts.get("rocker", ""), "link")}
 
 
 def _joined(names: Sequence[str], words: Mapping[str, Any]) -> str:
@@ -106,10 +116,20 @@ def _place(facts: Facts, index: str) -> Facts:
 def _forms(facts: Facts, words: Mapping[str, Any]) -> Facts:
     """The facts with what a block, a link, a direction is called, in the forms that the language has."""
     found = {**facts, "slider_of": facts.get("bar", "").removeprefix("slider")}
-    for fact, table in (("block", "blocks"), ("noun", "nouns"), ("way", "ways"), ("across", "ways")):
+    tables = (
+        ("block", "blocks"),
+        ("noun", "nouns"),
+        ("way", "ways"),
+        ("across", "ways"),
+        ("driver", "nouns"),
+        ("turning", "nouns"),
+    )
+    for fact, table in tables:
         for name in words:
             if fact in facts and name.partition("_")[0] == table:
                 found[name.replace(table, fact)] = words[name].get(facts[fact], "")
+    if driver := found.get("driver"):
+        found["Driver"] = driver[0].upper() + driver[1:]
     return found
 
 
