@@ -53,8 +53,10 @@ def _swings(draft: Draft, z: Mapping[str, ComplexField], facts: Facts) -> bool:
     if axis is None:
         return False
     start, end, pivot = facts["at_point"], facts["rocker"].removeprefix(facts["pivot"]), facts["pivot"]
-    lengths = [np.abs(z[b] - z[a]) for a, b in ((pivot, end), (start, end), (axis, start), (axis, pivot))]
-    return not np.any(four_bar_turns(*lengths, slack=_IN_LINE))
+    link, rod, other, frame = (
+        np.abs(z[b] - z[a]) for a, b in ((pivot, end), (start, end), (axis, start), (axis, pivot))
+    )
+    return not np.any(four_bar_turns(link, rod, other, frame, slack=_IN_LINE))
 
 
 def _driver_turns(draft: Draft, z: Mapping[str, ComplexField]) -> bool:
