@@ -22,7 +22,8 @@ def four_bar_turns(link: Field, rod: Field, other: Field, frame: Field, slack: f
     """Whether the first of two links about fixed axes turns full circle in a four-bar with these lengths.
 
     Grashof: the shortest and the longest together are shorter than the other two together, and the shortest is this
-    link or the frame. A linkage that can be stretched into one line does not count unless it has a ``slack`` (m). All lengths (m) and the result have the shape (N,).
+    link or the frame. A linkage that can be stretched into one line does not count unless it has a ``slack`` (m).
+    All lengths (m) and the result have the shape (N,).
     """
     lengths = np.stack([link, rod, other, frame])
     shortest, longest = np.min(lengths, axis=0), np.max(lengths, axis=0)
@@ -31,7 +32,7 @@ def four_bar_turns(link: Field, rod: Field, other: Field, frame: Field, slack: f
 
 
 def slider_crank_turns(crank: Field, rod: Field, offset: Field) -> NDArray[np.bool_]:
-    """Whether a crank turns full circle: longer than crank and offset together is the rod. Shape (N,)."""
+    """Whether a crank turns full circle: its rod is longer than crank and offset together. Shape (N,)."""
     return np.asarray(crank + np.abs(offset) < rod)
 
 
