@@ -18,6 +18,7 @@ from variantgen.families.quantities import Quantity, motion_order
 from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.centres import velocity_centre
+from variantgen.mechanism.doubts import doubts
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.outcome import Outcome
 from variantgen.mechanism.relative import relative_motion, sliding_points
@@ -69,6 +70,12 @@ def answers(variant: Variant, ask: Sequence[str] = ()) -> tuple[Answer, ...]:
 def asked_quantities(variant: Variant, ask: Sequence[str] = ()) -> list[Quantity]:
     """The asked quantities of a variant: those named, or those of its form."""
     return read_ask(variant.form, tuple(ask) or None)
+
+
+def variant_doubts(variant: Variant) -> list[Problem]:
+    """What can be solved and is hardly meant (:mod:`variantgen.mechanism.doubts`); nothing where it is not solved."""
+    motion = solve_variants([variant], 0)
+    return doubts(motion) if motion.solved[0] else []
 
 
 def solution_document(variant: Variant, ask: Sequence[str] = ()) -> dict[str, Any]:

@@ -10,6 +10,7 @@ from variantgen.errors import VariantgenError
 from variantgen.exam.solution_figures import solution_figure_faults
 from variantgen.families.quantities import Quantity, motion_order
 from variantgen.figure.build import statement_figure
+from variantgen.mechanism.doubts import doubts
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.outcome import Outcome
 from variantgen.resources import languages
@@ -39,7 +40,12 @@ def check_single_scene(name_or_path: str, folders: tuple[Path, ...], report: Rep
 def check_explained(
     variant: Variant, motion: Motion, asked: Sequence[Quantity], report: Report, where: str = ""
 ) -> None:
-    """Write the solution of the first variant of a solved batch; that there is no method for it is a remark."""
+    """Write the solution of the first variant of a solved batch; that there is no method for it is a remark.
+
+    What can be solved and is hardly meant (:mod:`variantgen.mechanism.doubts`) is a remark, too.
+    """
+    for problem in doubts(motion):
+        report.remark(str(problem))
     for language in languages():
         try:
             text = explain(variant, motion, 0, asked, load_language(language))

@@ -168,6 +168,14 @@ def wanted_variant(arguments: argparse.Namespace) -> Variant:
     )
 
 
+def tell_doubts(arguments: argparse.Namespace, variant: Variant) -> None:
+    """What is hardly meant in a variant that can be solved: a pin beside its slot, a rope on the wrong side."""
+    from variantgen.single import variant_doubts
+
+    for problem in variant_doubts(variant):
+        tell(f"look at this: {problem.located(arguments.family)}")
+
+
 def at_least_one(option: str, value: int) -> int:
     """A positive whole number; InputError otherwise."""
     if value < 1:

@@ -8,7 +8,15 @@ from typing import TYPE_CHECKING
 
 from variantgen.cli.exam_preview import add_students, check_options, exam_file, show_exam
 from variantgen.cli.messages import say, tell
-from variantgen.cli.options import add_choice, add_explaining, add_language, check_explaining, explained, wanted_variant
+from variantgen.cli.options import (
+    add_choice,
+    add_explaining,
+    add_language,
+    check_explaining,
+    explained,
+    tell_doubts,
+    wanted_variant,
+)
 from variantgen.errors import InputError, Problem
 
 if TYPE_CHECKING:
@@ -75,6 +83,7 @@ def _show_problem(arguments: argparse.Namespace) -> None:
     outcome = Outcome[solution_document(variant, arguments.ask)["outcome"].upper()]
     if outcome is not Outcome.SOLVED:
         raise InputError(Problem(outcome.text, file=arguments.family))
+    tell_doubts(arguments, variant)
     asked, found = asked_quantities(variant, arguments.ask), answers(variant, arguments.ask)
     if arguments.figure:
         _write_figures(arguments, variant)

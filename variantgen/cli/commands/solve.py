@@ -11,7 +11,15 @@ from typing import TYPE_CHECKING
 from variantgen.cli.columns import in_columns
 from variantgen.cli.exam_preview import refuse_exam
 from variantgen.cli.messages import say
-from variantgen.cli.options import add_choice, add_explaining, add_language, check_explaining, explained, wanted_variant
+from variantgen.cli.options import (
+    add_choice,
+    add_explaining,
+    add_language,
+    check_explaining,
+    explained,
+    tell_doubts,
+    wanted_variant,
+)
 from variantgen.errors import InputError, Problem
 
 if TYPE_CHECKING:
@@ -53,6 +61,7 @@ def run(arguments: argparse.Namespace) -> int:
     variant = wanted_variant(arguments)
     document = solution_document(variant, arguments.ask)
     solved = Outcome[document["outcome"].upper()] is Outcome.SOLVED
+    tell_doubts(arguments, variant)
     if arguments.all and solved:
         from variantgen.everything import all_values, everything
 
