@@ -6,11 +6,16 @@ import asyncio
 import hashlib
 import html
 import io
+import json
 import re
 import shlex
+import subprocess
+import sys
+import tomllib
 import zipfile
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from datetime import date
 from pathlib import Path
 
 import pytest
@@ -18,9 +23,12 @@ from playwright.sync_api import expect
 
 from tests.studio.asking import Asking
 from tests.studio.conftest import EXAM, Visit
+from tests.studio.test_pages import barriers
 from variantgen.cli import main
 from variantgen.errors import InputError
 from variantgen.studio.studio import Studio
+from variantgen.studio.summary import built_words
+from variantgen.studio.words import ASSETS, page_words
 
 SMALL = EXAM.replace("[[problem]]", '[solutions]\ndepth = "none"\n\n[[problem]]', 1)
 
@@ -56,10 +64,67 @@ def test_an_exam_is_built_downloaded_and_checked(visit: Callable[..., Visit], fo
     by_hand = ["2" if word == "30" else word for word in shown_command(client)]
     assert main(by_hand[1:]) == 0
     assert hashes(built) == hashes(Path(by_hand[-1]))
+    # What stands under the steps, and the command of the next build, have followed without loading the page again.
+    today = built_words(page_words("en"), date.today())
+    expect(page.locator("[data-under=build]")).to_have_text(today)
+    expect(page.locator("[data-under=mark]")).to_have_text("not yet")
+    expect(page.locator("#command")).to_contain_text(f"{built.name}-2")
     with page.expect_download() as download:
         page.get_by_role("link", name=re.compile("sheets.pdf")).click()
     assert download.value.path().read_bytes() == (built / "sheets.pdf").read_bytes()
     assert window.complaints == []
+
+
+def test_a_build_tells_phases_that_pages_know(folder: Path) -> None:
+    """Each that the process tells stands in the list of phases, in their order; none is passed over."""
+    (folder / "exam.toml").write_text(SMALL)
+    wanted = {"exam": str(folder / "exam.toml"), "roster": "", "variants": 1, "out": str(folder / "out"), "jobs": 1}
+    command = [sys.executable, "-m", "variantgen.studio.build_process"]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdin and process.stdout
+        process.stdin.write(json.dumps(wanted) + "\n")
+        process.stdin.flush()
+        told = [json.loads(line)["phase"] for line in process.stdout]
+    page = (ASSETS / "pages" / "build.html.j2").read_text("utf-8")
+    assert list(dict.fromkeys(told)) == re.findall(r'data-phase="(\w+)"', page)
+
+
+def test_every_group_has_its_own_downloads(visit: Callable[..., Visit]) -> None:
+    """Two groups: a tick makes a file for each; the table of downloads has a row for each, one more for nobody's."""
+    window = visit(SMALL)
+    (window.folder / "roster.csv").write_text("id,name,group\n1,Ash,ME-21\n2,Birch,ME 22\n3,Cedar,\n")
+    page = window.open("/exam/build")
+    groups = page.get_by_label("A file for each group")
+    with page.expect_response("**/exam/edit*"):
+        groups.check()
+    with page.expect_response("**/exam/edit*"):
+        page.get_by_label("Grading workbook").check()
+    exam = tomllib.loads((window.folder / "exam.toml").read_text("utf-8"))
+    assert exam["pdf"] == exam["xlsx"] == {"files": "groups"} and exam["formats"] == ["pdf", "xlsx"]
+    page.get_by_role("button", name="Build", exact=True).click()
+    table = page.get_by_role("table")
+    expect(table.get_by_role("row")).to_have_count(5, timeout=60_000)
+    assert table.locator("thead th").all_inner_texts() == ["Group", "Sheets", "Key", "Grading"]
+    assert table.locator("tbody th").all_inner_texts() == ["All", "without a group", "ME-21", "ME 22"]
+    [built] = (window.folder / "builds").iterdir()
+    with page.expect_download() as download:
+        table.get_by_role("row", name="ME-21").get_by_role("link", name=re.compile("^sheets.+PDF")).click()
+    assert download.value.path().read_bytes() == (built / "sheets" / "ME-21.pdf").read_bytes()
+    assert barriers(page) == []
+    with page.expect_response("**/exam/edit*"):
+        groups.uncheck()
+    exam = tomllib.loads((window.folder / "exam.toml").read_text("utf-8"))
+    assert "pdf" not in exam and "xlsx" not in exam
+    assert window.complaints == []
+
+
+def test_a_format_without_its_package_is_greyed(client: Asking, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert "disabled" not in re.findall(r'<input[^>]*value="latex"[^>]*>', client.get("/exam/build").text)[0]
+    monkeypatch.setattr("variantgen.studio.pages.build.find_spec", lambda name: None if name == "pylatex" else name)
+    page = client.get("/exam/build").text
+    [latex], [xlsx] = (re.findall(rf'<input[^>]*value="{name}"[^>]*>', page) for name in ("latex", "xlsx"))
+    assert "disabled" in latex and "disabled" not in xlsx
+    assert 'pip install ".[latex]"' in html.unescape(page)
 
 
 def test_builds_are_found_by_key_and_stay_inside(client: Asking, folder: Path) -> None:

@@ -91,6 +91,57 @@ def test_words_of_the_bottom_bar_have_room(visit: Open, language: str) -> None:
         assert left >= 4 and right >= 4 and high < 24, (word, left, right, high)
 
 
+# What of the bar above lies outside the window, or on its neighbour.
+_OUTSIDE = """() => {
+  const parts = [...document.querySelectorAll(".top > *, .top li, .acts > *")];
+  const seen = parts.filter(part => part.offsetParent && getComputedStyle(part).position !== "fixed");
+  const box = part => part.getBoundingClientRect(), name = part => part.id || part.className || part.textContent.trim();
+  const out = seen.filter(part => box(part).right > innerWidth || box(part).left < 0);
+  const kids = seen.filter(part => part.parentElement.className === "top");
+  return [...out, ...kids.filter((part, i) => i && box(part).left < box(kids[i - 1]).right - 1)].map(name);
+}"""
+
+
+@pytest.mark.parametrize("language", ["en", "ru"])
+def test_the_bar_above_has_room(visit: Open, language: str) -> None:
+    """At no width is anything of it cut off; where the tools have no room, the menu of the exam has them."""
+    page = visit(EXAM.replace('"Homework"', '"Homework 2. Plane motion, second part"')).open("/exam/build", language)
+    tools, menu = page.locator(".tools a"), page.locator(".menu .tool a")
+    page.locator("details.exam summary").click()
+    for width in (1920, 1280, 1100, 1024, 900, 860, 780, 360):
+        page.set_viewport_size({"width": width, "height": 740})
+        assert page.evaluate(_OUTSIDE) == [], width
+        assert [place.first.is_visible() for place in (tools, menu)] == [width > 880, width <= 880], width
+        assert menu.count() == tools.count() == 2
+
+
+def test_cards_are_filtered_by_method(visit: Open) -> None:
+    """Methods narrow the cards together; where nothing fits, the nearest words of the cards are offered."""
+    page = visit().open("/exam/choose")
+    page.wait_for_selector("#cards[aria-busy=false]")
+    page.get_by_text("Method", exact=True).click()
+    card = page.locator(".card:visible")
+    page.get_by_label("Three angular velocities").check()  # a closed chain of three links that turn
+    assert {one.split("/")[0] for one in card.evaluate_all("all => all.map(one => one.dataset.card)")} == {
+        "four_bar", "four_bar_with_sleeve", "limit_positions",
+    }  # fmt: skip
+    page.get_by_label("Relative motion of a point").check()  # and a collar besides
+    expect(card).to_have_count(1)
+    expect(card).to_have_attribute("data-card", "four_bar_with_sleeve/-")
+    page.get_by_role("button", name="Clear").click()
+    for slip, right, found in (
+        ("planettary", "planetary", "planetary_train/ring"),
+        ("кулсный", "кулисный", "slotted_rocker/swinging"),
+    ):
+        page.get_by_role("searchbox").fill(slip)
+        expect(card).to_have_count(0)
+        page.locator("#nearest").get_by_role("button", name=right, exact=True).click()
+        expect(page.locator(f'[data-card="{found}"]')).to_be_visible()
+    page.get_by_role("searchbox").fill("xyzzyxyzzy")
+    page.locator("#nearest").get_by_role("button", name="Gears").click()
+    expect(page.locator('[data-card="planetary_train/ring"]')).to_be_visible()
+
+
 def test_an_exam_begins_with_pictures(visit: Open) -> None:
     window = visit("", name="empty")  # an empty file is no exam
     page = window.open("/")

@@ -26,7 +26,10 @@ _FIRST = 3.0  # seconds before a rate is told
 
 @dataclass(frozen=True)
 class FinishedBuild:
-    """A finished build: its folder, whose exam it is, for how many, when, its files with their sizes."""
+    """A finished build: its folder, whose exam it is, for how many, when, its files with their sizes.
+
+    ``groups`` are those of its students, with what the file of each is called (no ending) where there is one.
+    """
 
     key: str
     folder: Path
@@ -35,6 +38,7 @@ class FinishedBuild:
     students: int
     day: date
     files: tuple[tuple[str, int], ...]
+    groups: tuple[tuple[str, str], ...] = ()
 
     @property
     def size(self) -> int:
@@ -165,14 +169,20 @@ class Builds:
 
 
 def _finished(path: Path) -> FinishedBuild | None:
+    from variantgen.outputs.files.student_groups import GroupFiles
+
     try:
         data = json.loads(path.read_text("utf-8"))
         names = sorted({*data["files"], MANIFEST})
         files = tuple((n, (path.parent / n).stat().st_size) for n in names if is_own(path.parent / n, path.parent))
         title = str(data.get("exam", {}).get("title", "")) if isinstance(data.get("exam"), dict) else ""
         students, seed = len(data["students"]), str(data["seed"])
+        listed = [str(student["group"]) for student in data["students"] if isinstance(student, dict)]
+        groups = tuple(GroupFiles.of(listed).stems.items())
     except (OSError, ValueError, KeyError, TypeError, RecursionError):
         return None
     name = path.parent.name
     key = name if _KEY.fullmatch(name) else "build-" + hashlib.sha256(name.encode()).hexdigest()[:8]
-    return FinishedBuild(key, path.parent, title, seed, students, date.fromtimestamp(path.stat().st_mtime), files)
+    return FinishedBuild(
+        key, path.parent, title, seed, students, date.fromtimestamp(path.stat().st_mtime), files, groups
+    )

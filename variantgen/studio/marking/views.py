@@ -60,6 +60,10 @@ class MarkWords:
         """The symbol of a quantity."""
         return Markup(to_mathml(self.language.quantity(item.answer.quantity, self.symbols(item))))  # noqa: S704  # own MathML
 
+    def title(self, item: MarkedAnswer) -> str:
+        """The title of the problem that an answer is of."""
+        return self._found.finished.variant(item.place, item.problem).family.title(self._name)
+
     def unit(self, item: MarkedAnswer) -> Markup:
         """The unit of an answer; '' for none."""
         name = item.answer.unit
@@ -126,6 +130,7 @@ def student(found: MarkedClass, code: str, words: MarkWords) -> dict[str, Any]:
         "problems": [
             {
                 "number": number,
+                "title": words.title(items[0]),
                 "points": words.points(total.problems[number]),
                 "of": words.points(sum((item.of for item in items), Fraction(0))),
                 "answers": [answer(found, item, words) for item in items],

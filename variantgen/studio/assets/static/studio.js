@@ -189,6 +189,13 @@ on("doc", async data => {
   elsewhere += 1;
   await inTurn(async () => (data.version === state.version ? settled : outside)(await get(`/${exam}/state`)));
 });
+// What stands under the steps follows a build, from its beginning to its end.
+let phase;
+on("build", async data => {
+  if (data.exam !== exam || data.phase === phase) return;
+  phase = data.phase;
+  await inTurn(async () => { const now = await get(`/${exam}/state`); return now.version === state.version ? head(now) : outside(now); }).catch(() => {});
+});
 addEventListener("pagehide", () => source.close());
 addEventListener("pageshow", event => { if (event.persisted) location.reload(); });
 
