@@ -214,6 +214,51 @@ def test_an_exam_is_composed_by_sliders(visit: Open) -> None:
     assert window.complaints == []
 
 
+def test_what_is_wrong_stands_at_its_field(visit: Open) -> None:
+    """Below the field, until something right is typed or it is set back; nothing of it comes into the file."""
+    window = visit()
+    page = window.open("/exam/compose")
+    page.wait_for_selector("#live svg")
+    points, told = page.get_by_label("Points of problem 2"), page.locator("#outline li:nth-child(2) .error")
+    for typed, said in (
+        ("99999999999999999999", "from 0 to 1000"),
+        ("3.5", "whole number"),
+        ("many", "Expected a number"),
+    ):
+        points.fill(typed)
+        points.press("Enter")
+        expect(told).to_contain_text(said)
+        expect(points).to_have_attribute("aria-invalid", "true")
+    assert barriers(page) == []
+    told.get_by_role("button", name="Reset").click()
+    expect(told).to_have_count(0)
+    assert points.input_value() == "5"
+    page.get_by_text("The whole exam").click()
+    tolerance = page.locator(".settings").get_by_label("Tolerance, %")
+    for typed in ("0", "-1", "20", "1000"):
+        tolerance.fill(typed)
+        tolerance.press("Enter")
+        expect(page.locator(".settings .error")).to_contain_text("above 0 and below 20")
+    assert (window.folder / "exam.toml").read_text() == EXAM
+    tolerance.fill("1,5")
+    tolerance.press("Enter")
+    shows(page, "tolerance = 0.015")
+    expect(page.locator(".settings .error")).to_have_count(0)
+
+
+def test_problems_that_are_added_quickly_keep_their_order(visit: Open) -> None:
+    """Three clicks before the first edit has been answered."""
+    window = visit()
+    page = window.open("/exam/choose")
+    page.wait_for_selector("#cards[aria-busy=false]")
+    page.route("**/exam/edit", lambda route: (page.wait_for_timeout(200), route.continue_()))
+    page.evaluate("""for (const name of ["rolling_wheel/-", "falling_rod/-", "arc_yoke/-"])
+        document.querySelector(`[data-card="${name}"] [data-do=add]`).click()""")
+    expect(page.locator('[data-under="choose"]')).to_have_text("5\N{NO-BREAK SPACE}problems")
+    wanted = ["four_bar", "spool", "rolling_wheel", "falling_rod", "arc_yoke"]
+    assert [problem["family"] for problem in saved(window)["problem"]] == wanted
+
+
 def test_text_with_mistakes_stays_a_draft(visit: Open) -> None:
     window = visit()
     page = window.open("/exam/compose#2")

@@ -4,6 +4,7 @@ import { $, all, complain, edit, el, exam, fill, get, icon, lang, note, onOutsid
 const page = document.querySelector(".choose"), words = JSON.parse(page.dataset.words);
 const shelf = $("cards"), filters = $("filters");
 let chosen = JSON.parse(page.dataset.chosen), cards = [];
+const LAST = 10000;  // behind all problems, also behind one whose edit is under way
 const plain = text => text.toLowerCase().replaceAll("ё", "е");
 
 // ---- the exam: which problems have a card
@@ -35,7 +36,7 @@ async function toggle(card) {
       note(fill(words.removed, { number: at.at(-1) }), document.querySelector("#undo .lbl").textContent, undo);
     } else {
       const value = Number(forms) > 1 ? { family, form, points: 10 } : { family, points: 10 };
-      await edit([{ op: "insert", path: "problem", at: chosen.length + 1, value }]);
+      await edit([{ op: "insert", path: "problem", at: LAST, value }]);
       chosen.push({ families: [family], forms: value.form ? [form] : [] });
       note(fill(words.added, { number: chosen.length }), document.querySelector("#undo .lbl").textContent, undo);
     }
