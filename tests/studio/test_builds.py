@@ -118,6 +118,23 @@ def test_every_group_has_its_own_downloads(visit: Callable[..., Visit]) -> None:
     assert window.complaints == []
 
 
+def test_letters_that_no_font_has_are_told(visit: Callable[..., Visit]) -> None:
+    """Before a build with PDF on the page of the roster, after it on that of the build, in the language of the page."""
+    window = visit(SMALL)
+    (window.folder / "roster.csv").write_text("id,name\n1,Ash\n2,\u674e Li\n", "utf-8")
+    page = window.open("/exam/roster")
+    expect(page.locator(".report")).to_contain_text("The fonts for paper lack letters of names (1): \u674e Li.")
+    (window.folder / "roster.csv").write_text("id,name\n1,Ash\n2,\u0141\u0119cki\n", "utf-8")  # Polish ones are there
+    page.reload()
+    expect(page.locator(".report")).to_contain_text("All names can be printed")
+    (window.folder / "roster.csv").write_text("id,name\n1,Ash\n2,\u674e Li\n", "utf-8")
+    page = window.open("/exam/build", "ru")
+    page.get_by_role("button", name="Собрать", exact=True).click()
+    failed = page.locator("#failed")
+    expect(failed).to_contain_text("в шрифтах для PDF нет буквы: имя студента 2 (получено \u674e U+674E)")
+    expect(failed).to_contain_text("соберите страницы HTML")
+
+
 def test_a_format_without_its_package_is_greyed(client: Asking, monkeypatch: pytest.MonkeyPatch) -> None:
     assert "disabled" not in re.findall(r'<input[^>]*value="latex"[^>]*>', client.get("/exam/build").text)[0]
     monkeypatch.setattr("variantgen.studio.pages.build.find_spec", lambda name: None if name == "pylatex" else name)

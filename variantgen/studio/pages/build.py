@@ -15,7 +15,7 @@ from variantgen.errors import InputError, Problem
 from variantgen.studio.documents.document import Document
 from variantgen.studio.documents.edits import apply, read_operations
 from variantgen.studio.frame import build_command, language_of, render
-from variantgen.studio.messages import error_text
+from variantgen.studio.messages import command_text, error_text
 from variantgen.studio.preview import class_of
 from variantgen.studio.requests import document_of, number_of, read_json, studio_of, text_of
 from variantgen.studio.studio import Studio
@@ -52,7 +52,7 @@ async def build(request: Request) -> Response:
         "groups": 0 if fault else len(groups(studio)),
         "roster": known,
         "usual": USUAL_CLASS,
-        "running": studio.builds.state(document.key),
+        "running": _state(studio, document, language_of(request)),
         "ready": bool(problems_of(document)),
         "fault": fault,
     }
@@ -82,7 +82,14 @@ async def progress(request: Request) -> Response:
     found = len(await run_in_threadpool(document.mistakes)) if problems_of(document) else 0
     studio = studio_of(request)
     line = build_command(studio, document)
-    return JSONResponse({"state": studio.builds.state(document.key), "mistakes": found, "command": line})
+    state = _state(studio, document, language_of(request))
+    return JSONResponse({"state": state, "mistakes": found, "command": line})
+
+
+def _state(studio: Studio, document: Document, language: str) -> dict[str, Any]:
+    """How far the build is; why it has failed in the language of the page."""
+    state = studio.builds.state(document.key)
+    return {**state, "text": command_text(state["text"], language)} if "text" in state else state
 
 
 async def next_year(request: Request) -> Response:

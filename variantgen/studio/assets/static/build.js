@@ -25,10 +25,17 @@ function show(state) {
     row.firstElementChild.replaceWith(icon(ok ? "check" : now ? "clock" : "blank"));
   });
 }
-on("build", data => { if (data.exam === exam) { show(data); if (data.phase === "built") { archive(); line(); } } });
-// The command of the next build: another folder than that of the last one.
-async function line() {
-  $("command").textContent = (await get(`/${exam}/progress`)).command;
+on("build", data => {
+  if (data.exam !== exam) return;
+  show(data);
+  if (data.phase === "built") archive();
+  if (data.phase === "built" || data.phase === "failed") ended().catch(complain);
+});
+// The command of the next build, which has another folder than the last one; why it failed, in the language of the page.
+async function ended() {
+  const now = await get(`/${exam}/progress?${asked}`);
+  show(now.state);
+  $("command").textContent = now.command;
   if ($("variants")) numbered();
 }
 const numbered = () => { const command = $("command"); command.textContent = command.textContent.replace(/--variants \S+/, `--variants ${$("variants").value.trim() || "1"}`); };
@@ -107,6 +114,6 @@ $("rekey").addEventListener("submit", async event => {
 
 show(JSON.parse(page.dataset.running));
 await archive();
-const now = await get(`/${exam}/progress`);
+const now = await get(`/${exam}/progress?${asked}`);
 show(now.state);
 if (now.mistakes && begin) begin.replaceWith(el("a", { className: "button primary", href: `/${exam}/compose` }, words.mistakes_first, icon("right")));
