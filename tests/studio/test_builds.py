@@ -24,6 +24,7 @@ from playwright.sync_api import expect
 from tests.studio.asking import Asking
 from tests.studio.conftest import EXAM, Visit
 from tests.studio.test_pages import barriers
+from variantgen.builder import unfinished_folder
 from variantgen.cli import main
 from variantgen.errors import InputError
 from variantgen.studio.studio import Studio
@@ -199,6 +200,18 @@ def test_a_roster_counts_as_a_build_reads_it(client: Asking, folder: Path) -> No
     roster.symlink_to(folder / "elsewhere")
     assert "is a link" in client.get("/exam/build").text
     assert client.post("/exam/start", {"variants": "2"}).status == 400
+
+
+def test_a_build_that_ended_with_its_studio_goes_on(client: Asking, folder: Path) -> None:
+    """Parts of today's build are there and nothing runs; those of other exams and of other days do not count."""
+    name = f"exam-{date.today().isoformat()}"
+    assert client.get("/exam/progress").json()["state"] == {}
+    for other in ("exam-2026-01-02", "exam-x-2026-01-02"):
+        unfinished_folder(folder / "builds" / other).mkdir(parents=True)
+    assert client.get("/exam/progress").json()["state"] == {}
+    unfinished_folder(folder / "builds" / name).mkdir()
+    assert client.get("/exam/progress").json()["state"] == {"exam": "exam", "name": name, "phase": "stopped"}
+    assert "not yet" in client.get("/exam/choose").text
 
 
 def test_two_starts_at_once_are_one(studio: Studio, monkeypatch: pytest.MonkeyPatch) -> None:

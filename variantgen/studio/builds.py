@@ -67,9 +67,19 @@ class Builds:
         self._known: dict[Path, tuple[int, FinishedBuild]] = {}
 
     def state(self, exam: str) -> dict[str, Any]:
-        """How far the build of an exam is; nothing if none was begun."""
+        """How far the build of an exam is; nothing if none was begun.
+
+        One that ended with another studio, before it was done, is stopped: what it has is there for the next one.
+        """
         found = self._running.get(exam)
-        return found.state if found else {}
+        if found:
+            return found.state
+        home = self._workspace.folder / BUILDS
+        if home.is_symlink() or not any(home.glob(".*")):
+            return {}
+        name = self.next_name(exam)
+        left = any(path.is_dir() for path in home.glob(f".{name}.*"))  # where the builder keeps its parts
+        return {"exam": exam, "name": name, "phase": "stopped"} if left else {}
 
     def next_name(self, exam: str) -> str:
         """The folder of the next build: the name of the exam and the day, with a number where it is there.
