@@ -100,13 +100,15 @@ def queue(found: MarkedClass, words: MarkWords) -> list[dict[str, Any]]:
     ]
 
 
-def questions(found: MarkedClass) -> list[dict[str, Any]]:
-    """The answers that the exam asks for, with how many students have them and how many wait."""
-    asked = Counter((item.problem, item.answer.quantity.name) for item in found.marked.marks)
+def questions(found: MarkedClass, words: MarkWords) -> list[dict[str, Any]]:
+    """The answers that the exam asks for, by their first symbols, with how many of each wait."""
+    first: dict[tuple[int, str], MarkedAnswer] = {}
+    for item in found.marked.marks:
+        first.setdefault((item.problem, item.answer.quantity.name), item)
     waiting = Counter((problem, name) for _, problem, name in found.doubtful)
     return [
-        {"problem": problem, "quantity": name, "asked": count, "doubts": waiting[problem, name]}
-        for (problem, name), count in asked.items()
+        {"problem": problem, "quantity": name, "symbol": words.symbol(item), "doubts": waiting[problem, name]}
+        for (problem, name), item in first.items()
     ]
 
 
