@@ -340,6 +340,41 @@ def test_answers_that_refuse_hold_nothing_up(visit: Open) -> None:
     assert saved(window)["problem"][0]["points"] == 12 and page.locator("#offline").is_hidden()
 
 
+def test_keys_lead_everywhere(visit: Open) -> None:
+    """By position, so that they work with any layout; keys of one letter can be switched off and stay so."""
+    window = visit()
+    page = window.open("/exam/compose")
+    page.wait_for_selector("#live svg")
+    for digit, name in enumerate(("choose", "compose", "roster", "build", "mark", "author", "play"), start=1):
+        page.keyboard.press(f"Alt+Shift+Digit{digit}")
+        page.wait_for_url(f"**/exam/{name}")
+    now = page.locator("#now")
+    expect(now).to_have_text(re.compile("φ = "))
+    pressed = page.get_by_role("button", name="Paths")
+    expect(pressed).to_have_attribute("aria-pressed", "true")
+    page.keyboard.press("Digit3")
+    expect(pressed).to_have_attribute("aria-pressed", "false")
+    page.keyboard.press("F1")
+    page.get_by_label("Keys of a single letter or digit act, too").uncheck()
+    assert barriers(page) == []
+    page.keyboard.press("Escape")
+    page.reload()
+    expect(now).to_have_text(re.compile("φ = "))
+    page.keyboard.press("Digit3")
+    page.keyboard.press("?")
+    expect(pressed).to_have_attribute("aria-pressed", "true")
+    expect(page.locator("#keys")).to_be_hidden()
+    page.keyboard.press("Control+s")
+    page.get_by_text("Already saved").wait_for()
+    page = window.open("/exam/choose")
+    page.wait_for_selector("#cards[aria-busy=false]")
+    page.keyboard.press("Control+k")
+    expect(page.get_by_role("searchbox")).to_be_focused()
+    page.keyboard.press("Control+Enter")  # the filled button
+    page.wait_for_url("**/exam/compose*")
+    assert window.complaints == []
+
+
 def test_a_mechanism_is_played(visit: Open) -> None:
     """By slider, by keys, by time; the problem of the exam first, then another mechanism by sight."""
     window = visit()
@@ -395,6 +430,16 @@ def test_a_family_is_written_and_used(visit: Open) -> None:
     page.locator("#oops").get_by_role("button", name="Change to phi").click()
     expect(page.locator("#oops")).to_be_hidden()
     assert (home / "statement.ru.j2").read_text("utf-8") == right
+    # By keyboard: from the statement to the names, one of them into it.
+    russian.focus()
+    page.keyboard.press("Control+End")
+    page.keyboard.press("Control+Space")
+    expect(page.locator("#names button").first).to_be_focused()
+    page.keyboard.press("ArrowRight")
+    page.keyboard.press("Enter")
+    expect(russian).to_have_value(re.compile(r"\{\{ \w+ \}\}$"))
+    expect(russian).to_be_focused()
+    russian.fill(right)
     # A mistake in the file is told at its line, the figure stays.
     file = page.get_by_role("textbox", name="family.toml")
     text = file.input_value()

@@ -1,5 +1,5 @@
 // Choose: cards that are filtered, searched, drawn again, starred, put into the exam.
-import { $, all, complain, edit, el, exam, fill, get, icon, lang, note, onOutside, post, typing, undo } from "./studio.js";
+import { $, all, complain, edit, el, exam, fill, get, icon, lang, note, onOutside, post, single, typing, undo } from "./studio.js";
 
 const page = document.querySelector(".choose"), words = JSON.parse(page.dataset.words);
 const shelf = $("cards"), filters = $("filters");
@@ -121,7 +121,7 @@ shelf.addEventListener("keydown", event => {
   const shown = cards.filter(one => !one.hidden).sort((a, b) => a.compareDocumentPosition(b) & 2 ? 1 : -1), i = shown.indexOf(card);
   const across = Math.max(1, Math.round(shelf.clientWidth / (card.offsetWidth + 16)));
   const step = { ArrowLeft: -1, ArrowRight: 1, ArrowUp: -across, ArrowDown: across }[event.code];
-  const act = { KeyR: again, KeyS: star, Space: event.target.tagName === "A" ? toggle : null }[event.code];
+  const act = { KeyR: single() && again, KeyS: single() && star, Space: event.target.tagName === "A" ? toggle : null }[event.code];
   if (step) shown[Math.min(shown.length - 1, Math.max(0, i + step))].querySelector("a")?.focus();
   else if (act) act(card);
   else return;
