@@ -214,6 +214,32 @@ def test_an_exam_is_composed_by_sliders(visit: Open) -> None:
     assert window.complaints == []
 
 
+def test_an_empty_exam_has_suggestions(visit: Open) -> None:
+    window = visit('schema = 1\ntitle = "New"\nlanguage = "en"\n')
+    page = window.open("/exam/compose")
+    suggested = page.locator("#empty button")
+    assert suggested.count() == 3
+    suggested.filter(has_text="Slider-crank").click()
+    page.wait_for_selector("#live svg")
+    assert saved(window)["problem"] == [{"family": "slider_crank", "form": "central", "points": 10}]
+    expect(page.locator("#empty")).to_be_hidden()
+    page.locator("#undo").click()
+    expect(suggested.first).to_be_visible()
+    assert "problem" not in saved(window)
+
+
+def test_what_is_broken_is_told_in_the_language_of_the_page(visit: Open) -> None:
+    """On every page of the exam, with the way to where it is mended; in the list of exams, too."""
+    window = visit("broken = [\n" + EXAM)
+    for path in ("/exam/choose", "/exam/build", "/exam/compose", "/?all"):
+        text = window.open(path, "ru").locator("main").inner_text()
+        assert "это не TOML" in text and "is not valid" not in text, path
+    page = window.open("/exam/build", "ru")
+    page.locator(".notice a").click()
+    page.wait_for_url("**/exam/compose")
+    page.locator("#source").wait_for()
+
+
 def test_what_is_wrong_stands_at_its_field(visit: Open) -> None:
     """Below the field, until something right is typed or it is set back; nothing of it comes into the file."""
     window = visit()

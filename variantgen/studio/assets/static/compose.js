@@ -50,6 +50,11 @@ async function remove(number) {
     note(data.undo, undoWord, undo);
   } catch (error) { complain(error); }
 }
+$("empty").addEventListener("click", async event => {
+  const { family: name, form: own } = event.target.closest("button")?.dataset ?? {};
+  if (!name) return;
+  try { await change([{ op: "insert", path: "problem", at: 1, value: own ? { family: name, form: own, points: 10 } : { family: name, points: 10 } }]); await show(1, true); } catch (error) { complain(error); }
+});
 outline.addEventListener("click", event => {
   const row = event.target.closest("li");
   if (event.target.closest("a")) { event.preventDefault(); show(Number(row.dataset.number)); }
