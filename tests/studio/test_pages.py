@@ -319,6 +319,29 @@ def test_windows_and_editors_see_each_other(visit: Open) -> None:
     assert first.complaints == second.complaints == []
 
 
+@pytest.mark.parametrize(("choice", "kept"), [("Keep mine", 12), ("Take that", 11)])
+def test_the_same_field_in_two_windows(visit: Open, choice: str, kept: int) -> None:
+    """One has not heard of the edit of the other: both values are shown, one is chosen, both windows have it."""
+    first, second = visit(), visit()
+    second.page.route("**/events", lambda route: route.abort())
+    one, two = first.open("/exam/compose"), second.open("/exam/compose")
+    fields = [page.get_by_label("Points of problem 1") for page in (one, two)]
+    for page in (one, two):
+        page.wait_for_selector("#live svg")
+    fields[0].fill("11")
+    fields[0].press("Enter")
+    shows(one, "points = 11")
+    fields[1].fill("12")
+    fields[1].press("Enter")
+    two.get_by_text("Changed in another window to 11. Yours: 12").wait_for()
+    assert saved(first)["problem"][0]["points"] == 11
+    two.get_by_role("button", name=choice).click()
+    for page, field in zip((one, two), fields, strict=True):
+        shows(page, f"points = {kept}")
+        expect(field).to_have_value(str(kept))
+    assert saved(first)["problem"][0]["points"] == kept
+
+
 @pytest.mark.parametrize("choice", ["Keep mine", "Take the file"])
 def test_a_draft_never_overwrites_what_was_changed_meanwhile(visit: Open, choice: str) -> None:
     """While the text of the file is a draft, an editor changes the file, and so does another field of the page."""
