@@ -27,6 +27,8 @@ from tests.studio.test_pages import barriers
 from variantgen.builder import unfinished_folder
 from variantgen.cli import main
 from variantgen.errors import InputError
+from variantgen.outputs.formats import parse_exam
+from variantgen.studio.pages.build import FORMATS, GROUPED
 from variantgen.studio.studio import Studio
 from variantgen.studio.summary import built_words
 from variantgen.studio.words import ASSETS, page_words
@@ -119,6 +121,19 @@ def test_every_group_has_its_own_downloads(visit: Callable[..., Visit]) -> None:
     exam = tomllib.loads((window.folder / "exam.toml").read_text("utf-8"))
     assert "pdf" not in exam and "xlsx" not in exam
     assert window.complaints == []
+
+
+def test_formats_that_have_files_for_groups_are_known() -> None:
+    """Those whose table in an exam takes ``files = "groups"``, and no others."""
+    taking = set()
+    for name in FORMATS:
+        text = f'formats = ["{name}"]\n{name}.files = "groups"\n' + SMALL
+        try:
+            parse_exam(text, Path("exam.toml"), ())
+            taking.add(name)
+        except InputError as error:
+            assert "files" in str(error), name
+    assert taking == set(GROUPED)
 
 
 def test_letters_that_no_font_has_are_told(visit: Callable[..., Visit]) -> None:
