@@ -17,8 +17,12 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from datetime import date
 from pathlib import Path
+from typing import Any
 
+import numpy as np
+import pypdfium2 as pdfium
 import pytest
+from PIL import Image, ImageFilter
 from playwright.sync_api import expect
 
 from tests.studio.asking import Asking
@@ -76,6 +80,35 @@ def test_an_exam_is_built_downloaded_and_checked(visit: Callable[..., Visit], fo
         page.get_by_role("link", name=re.compile("sheets.pdf")).click()
     assert download.value.path().read_bytes() == (built / "sheets.pdf").read_bytes()
     assert window.complaints == []
+
+
+def test_the_preview_is_the_page_that_a_build_sets(visit: Callable[..., Visit], tmp_path: Path) -> None:
+    """Line by line: as far as pixels of a PDF and of a browser can be the same. Pages of others differ by far more."""
+    window = visit(SMALL)
+    window.page.set_viewport_size({"width": 794, "height": 1123})  # an A4 page of points
+    (window.folder / "roster.csv").write_text("id,name\n1,Ash\n2,Birch\n", "utf-8")
+    words = ["--roster", str(window.folder / "roster.csv"), "--out", str(tmp_path / "out")]
+    assert main(["build", str(window.folder / "exam.toml"), *words]) == 0
+    built = pdfium.PdfDocument(tmp_path / "out" / "sheets.pdf")
+    seen = []
+    for student in (1, 2):
+        found = window.page.request.get(f"{window.base}/exam/sheet/{student}").json()
+        window.page.goto(f"{window.base}/exam/page/{found['name']}/1.svg")
+        seen.append(darkness(Image.open(io.BytesIO(window.page.screenshot()))))
+    pages = [darkness(built[place].render(scale=1).to_pil()) for place in range(len(built))]
+    first = [
+        pages[place] for place in range(len(pages)) if pages[place].mean() > 1
+    ]  # blank ones stand behind odd numbers
+    assert len(first) == 2
+    apart = [[float(np.abs(one - other).mean()) for other in first] for one in seen]
+    for i in (0, 1):
+        assert apart[i][i] < 0.25 * apart[i][1 - i], apart
+
+
+def darkness(page: Image.Image) -> Any:
+    """How dark a page is about each point, from 0 to 255; letters are spread over their neighbourhood."""
+    grey = page.convert("L").resize((595, 842)).filter(ImageFilter.GaussianBlur(1.5))
+    return 255 - np.asarray(grey, dtype=float)
 
 
 def test_a_build_tells_phases_that_pages_know(folder: Path) -> None:

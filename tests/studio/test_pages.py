@@ -199,6 +199,11 @@ def test_an_exam_is_composed_by_sliders(visit: Open) -> None:
     shows(page, 'seed = 2026\n\n[[problem]]\nfamily = "spool"')
     found = saved(window)["problem"]
     assert [problem["family"] for problem in found] == ["spool", "four_bar"]
+    page.locator("#outline li:nth-child(2) a").drag_to(page.locator("#outline li:nth-child(1) a"))
+    shows(page, 'seed = 2026\n\n[[problem]]\nfamily = "four_bar"')
+    page.locator("#outline li:nth-child(2) a").drag_to(page.locator("#outline li:nth-child(1) a"))
+    shows(page, 'seed = 2026\n\n[[problem]]\nfamily = "spool"')
+    found = saved(window)["problem"]
     assert found[1]["ask"] == ["v_B", "omega_AB", "omega_BC"] and found[0]["points"] == 7
     page.get_by_text("The whole exam").click()
     page.get_by_label("Page for answers with bubbles").check()
