@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from variantgen.figure.glyphs import Glyph, glyph, has_glyph, kerning
 
 _INDEX_DOWN, _POWER_UP, _POWER_UP_CRAMPED, _LEAST_GAP, _AFTER = 0.247, 0.363, 0.289, 0.16, 0.056
+_POWER_DROP = 0.25  # how much lower the baseline of a power is than the top of parentheses
 _POWER_BOTTOM = 0.344  # a power over an index is raised alone until its ink is as high
 WORD_SPACE = 0.331
 INDEX = 0.7  # size of an index in that of its letter
@@ -39,16 +40,17 @@ THICKNESS = 0.048  # of bars
 class Run:
     """Letters in a row; ``x`` is where the next one begins.
 
-    ``display`` says that fractions of full size may be among them, ``cramped`` that powers are raised less, as below
-    the bar of a fraction.
+    ``display`` says that fractions of full size may be among them, ``tall`` that roots and tall parentheses may, as in
+    parts of such fractions, ``cramped`` that powers are raised less, as below the bar of a fraction.
     """
 
-    def __init__(self, display: bool = False, cramped: bool = False) -> None:
+    def __init__(self, display: bool = False, cramped: bool = False, tall: bool = False) -> None:
         self.glyphs: list[PlacedGlyph] = []
         self.bars: list[Bar] = []
         self.x = 0.0
         self.index_x = 0.0
         self.display = display
+        self.tall = tall or display
         self.cramped = cramped
         self._highest = 0.0
 
@@ -112,11 +114,12 @@ class Run:
             PlacedGlyph(Glyph("0u\N{COMBINING RIGHT ARROW ABOVE}", 0.0, 0.0, 0.0, 0.5, 0.714, ""), complex(right, 0.0))
         )
 
-    def attach(self, index: Run, power: Run, level: int) -> None:
-        """Set what stands below and above to the right of the letters so far."""
+    def attach(self, index: Run, power: Run, level: int, top: float = 0.0) -> None:
+        """Set what stands below and above to the right of the letters so far; ``top`` is that of parentheses before."""
         scale = SCALE[level]
         raised = _POWER_UP_CRAMPED if level or self.cramped else _POWER_UP
-        down, up = _INDEX_DOWN * scale if index.glyphs else 0.0, raised * scale if power.glyphs else 0.0
+        down = _INDEX_DOWN * scale if index.glyphs else 0.0
+        up = max(raised * scale, top - _POWER_DROP) if power.glyphs else 0.0
         if index.glyphs and power.glyphs:
             highest = max(p.at.imag + p.glyph.top for p in index.glyphs) - down
             lowest = up + min(p.at.imag + p.glyph.bottom for p in power.glyphs)

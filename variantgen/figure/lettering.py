@@ -136,9 +136,9 @@ def _set_tall(run: Run, formula: Formula) -> None:
         case Absolute(content):
             _set_enclosed(run, content, "||")
         case Fraction(above, below) if run.display:
-            run.append(fraction(_inner(above, run.cramped), _inner(below, cramped=True)))
-        case Root(radicand) if run.display:
-            run.append(root(_inner(radicand, cramped=True, display=True)))
+            run.append(fraction(_inner(above, run.cramped, False), _inner(below, True, False)))
+        case Root(radicand) if run.tall:
+            run.append(root(_inner(radicand, True, run.display)))
         case Surd() if run.display:
             _set_surd(run, formula)
         case _:
@@ -193,21 +193,22 @@ def _set_part(run: Run, formula: Formula, parentheses: bool) -> None:
 
 def _set_enclosed(run: Run, formula: Formula, signs: str) -> None:
     """A formula between two signs. Raises TypeError where they would be taller than a line of text."""
-    content = _inner(formula, run.cramped, run.display)
-    if not run.display and max(content.top, 0.5 - content.bottom) > _PARENTHESES:
+    content = Run(run.display, run.cramped, run.tall)
+    _set(content, formula)
+    if not run.tall and max(content.top, 0.5 - content.bottom) > _PARENTHESES:
         raise TypeError("tall parentheses are no letters")
     run.append(enclosed(content, *signs))
 
 
-def _inner(formula: Formula, cramped: bool, display: bool = False) -> Run:
-    """A part of a formula in a row of its own; a fraction in a fraction would be smaller and raises TypeError."""
-    run = Run(display, cramped)
+def _inner(formula: Formula, cramped: bool, display: bool) -> Run:
+    """A part of a fraction or a root; a fraction in a fraction would be smaller and raises TypeError."""
+    run = Run(display, cramped, tall=True)
     _set(run, formula)
     return run
 
 
 def _set_power(run: Run, base: Formula, exponent: str) -> None:
-    """A base with a digit above it, as high as above a letter: what is taller than a line raises TypeError."""
+    """A base with a digit above it."""
     match base:
         case Function(name, argument):  # cos² φ
             run.words(name)
@@ -218,12 +219,11 @@ def _set_power(run: Run, base: Formula, exponent: str) -> None:
         case Vector(symbol) if not precedence.as_base(base, False):
             _set_symbol(run, symbol, exponent, arrow=True)
         case _:
-            before = len(run.glyphs)
-            _set_part(run, base, precedence.as_base(base, False))
-            if run.bars or max(p.glyph.top for p in run.glyphs[before:]) > _PARENTHESES:
-                raise TypeError("powers of tall formulas are not known")
-            run.index_x = run.x
-            run.attach(Run(), _digits(exponent, 1), 0)
+            whole = Run(run.display, run.cramped, run.tall)
+            fenced = precedence.as_base(base, False) or isinstance(base, Parenthesised)
+            _set_part(whole, base, precedence.as_base(base, False))
+            run.append(whole)
+            run.attach(Run(), _digits(exponent, 1), 0, whole.top if fenced or whole.bars else 0.0)
 
 
 def _set_argument(run: Run, argument: Formula) -> None:
@@ -239,12 +239,12 @@ def _set_surd(run: Run, surd: Surd) -> None:
     size, root_of = Number(str(abs(surd.numerator))), Root(Number(str(surd.radicand)))
     if surd.numerator < 0:
         run.words("\N{MINUS SIGN}")
-    above = Run(True, run.cramped)
+    above = Run(surd.denominator == 1, run.cramped, tall=True)
     if abs(surd.numerator) != 1 or surd.radicand == 1:
         _set(above, size)
     if surd.radicand != 1:
         _set(above, root_of)
-    run.append(above if surd.denominator == 1 else fraction(above, _inner(Number(str(surd.denominator)), True)))
+    run.append(above if surd.denominator == 1 else fraction(above, _inner(Number(str(surd.denominator)), True, False)))
 
 
 def _set_about(run: Run, what: str, symbol: Symbol) -> None:

@@ -14,7 +14,7 @@ from variantgen.figure.letter_run import THICKNESS, Bar, PlacedGlyph, Run
 
 AXIS = 0.25
 _NUMERATOR_UP, _DENOMINATOR_DOWN, _FRACTION_GAP, _FRACTION_AROUND = 0.677, 0.686, 0.12, 0.1
-_ROOT_GAP, _ROOT_ABOVE = 0.148, 0.04
+_ROOT_GAP, _ROOT_GAP_IN_FRACTION, _ROOT_ABOVE = 0.148, 0.05, 0.04
 _SHORT = 0.1  # parentheses may be so much lower than what they enclose
 ROOT = "\N{SQUARE ROOT}"
 
@@ -36,8 +36,9 @@ def root(radicand: Run) -> Run:
     """The sign, as large as it has to be, and a bar over the radicand."""
     made = Run(display=True)
     height = radicand.top - radicand.bottom
-    sign = _sign(ROOT, height + THICKNESS + _ROOT_GAP)
-    gap = max(_ROOT_GAP, (sign.top - sign.bottom - THICKNESS - height + _ROOT_GAP) / 2)
+    least = _ROOT_GAP if radicand.display else _ROOT_GAP_IN_FRACTION
+    sign = _sign(ROOT, height + THICKNESS + least)
+    gap = max(least, (sign.top - sign.bottom - THICKNESS - height + least) / 2)
     top = radicand.top + gap + THICKNESS
     made.glyphs.append(PlacedGlyph(sign, complex(0.0, top - sign.top)))
     made.bars.append(Bar(complex(sign.width, top - THICKNESS / 2), radicand.x))
