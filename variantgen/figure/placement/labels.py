@@ -32,7 +32,7 @@ _BESIDE = 2.4  # u
 _FIRST = 10  # candidates of each label that are asked first what they could be mistaken for
 _SWEEPS = 4
 _LEADER_GAP = 0.35  # between a leader and its label or the symbol, u
-_LEADER_SAMPLES = 24
+_ON_LEADER = np.linspace(0.0, 1.0, 24)  # places along a leader that are looked at
 
 
 @dataclass
@@ -74,8 +74,7 @@ def place_labels(
     worst = {i for i, c in enumerate(choices) if c.costs[c.taken] >= (_FAR if c.request.vector else _INK)}
     crowded = sorted(worst | set(_conflicting(choices) if first else ()))
     if crowded:
-        for i in crowded:
-            choices[i] = _with_leaders(choices[i], occupancy)
+        _add_leaders(choices, crowded, occupancy)
         _resolve_overlaps(choices, crowded)
     labels = [
         Label(c.request.formula, c.place, (2 * c.request.box[0], 2 * c.request.box[1]), arrow=c.request.arrow)
@@ -137,26 +136,29 @@ def _ink_costs(occupancy: Occupancy, places: Places, boxes: NDArray[np.float64])
     return result
 
 
-def _with_leaders(choice: _Choice, occupancy: Occupancy) -> _Choice:
-    """The choice with far candidates added."""
-    request = choice.request
-    places, costs = far_from(request)
-    boxes = np.broadcast_to(request.box, (len(places), 2))
-    parts = np.linspace(0.0, 1.0, _LEADER_SAMPLES)
-    # The leader from the edge of the symbol to the label: how many of its pieces run over ink.
-    steps = places - request.anchor
-    start = request.anchor + (request.clear + 0.8) * steps / np.abs(steps)
-    samples = start[:, None] + parts[None, :] * (places - start)[:, None]
+def _add_leaders(choices: list[_Choice], crowded: Sequence[int], occupancy: Occupancy) -> None:
+    """Add far candidates to some choices."""
+    requests = [choices[i].request for i in crowded]
+    far = [far_from(request) for request in requests]
+    places, costs = np.array([places for places, _ in far]), np.array([costs for _, costs in far])
+    boxes = np.array([request.box for request in requests]).repeat(places.shape[1], axis=0)
+    ink = _ink_costs(occupancy, places.ravel(), boxes).reshape(places.shape)
+    costs += _LEADER + ink
+    # The leader from the edge of the symbol to the label: how many of its pieces run over ink. Where the label itself
+    # would stand on a line, that is no matter.
+    owner, at = np.nonzero(ink < _INK)
+    anchors = np.array([request.anchor for request in requests])[owner]
+    steps = places[owner, at] - anchors
+    start = anchors + np.array([request.clear + 0.8 for request in requests])[owner] * steps / np.abs(steps)
+    samples = start[:, None] + _ON_LEADER * (places[owner, at] - start)[:, None]
     cut = occupancy.taken(samples.ravel(), 0.05, 0.05).reshape(samples.shape) > 0
-    crossings = cut[:, 0] + np.sum(cut[:, 1:] & ~cut[:, :-1], axis=1)
-    costs = costs + _LEADER + _CUT * crossings + _ink_costs(occupancy, places, boxes)
-    return _Choice(
-        request,
-        np.concatenate((choice.places, places)),
-        np.concatenate((choice.costs, costs)),
-        np.concatenate((choice.led, np.ones(len(places), dtype=bool))),
-        choice.taken,
-    )
+    costs[owner, at] += _CUT * (cut[:, 0] + np.sum(cut[:, 1:] & ~cut[:, :-1], axis=1))
+    led = np.ones(places.shape[1], dtype=bool)
+    for i, further, cost in zip(crowded, places, costs, strict=True):
+        choice = choices[i]
+        choice.places = np.concatenate((choice.places, further))
+        choice.costs = np.concatenate((choice.costs, cost))
+        choice.led = np.concatenate((choice.led, led))
 
 
 def _resolve_overlaps(choices: list[_Choice], first: Sequence[int]) -> None:
