@@ -242,7 +242,7 @@ def draw_axes(board: MotionBoard, place: complex, axes: Sequence[tuple[complex, 
 
 def _along(lines: Sequence[Line]) -> NDArray[np.complex128]:
     """Places along lines, so near to each other that they stand for all."""
-    segments = np.array([segment for line in lines for segment in segments_of(line, 0.5)], dtype=complex)
+    segments, _ = segments_of(lines, 0.5)
     steps = segments[:, 1] - segments[:, 0]
     counts = np.maximum(1, (np.abs(steps) / 3.0).astype(int))
     return np.append(spaced(segments[:, 0], steps, counts), segments[:, 1])

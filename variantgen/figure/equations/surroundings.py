@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.figure.drawing import THIN, Arc, Line, Path, Strokes
-from variantgen.figure.ink import segments_of, spaced
+from variantgen.figure.ink import corners_of, spaced
 
 STUB = 8.5  # how much of what is joined to the body at a point is drawn, u
 _NEAR = 1.7  # half the width of a bar, and what lies on it, u
@@ -125,8 +125,7 @@ def _outline(line: Line) -> Places:
     """The corners of a line in a row; of strokes their middles, each for itself."""
     if isinstance(line, Strokes):
         return np.array([0.5 * (start + end) for start, end in line.segments], dtype=complex)
-    chords = segments_of(line, _SAGITTA)
-    return np.array([start for start, _ in chords] + [chords[-1][1]], dtype=complex)
+    return np.array(corners_of(line, _SAGITTA), dtype=complex)
 
 
 def _kept(

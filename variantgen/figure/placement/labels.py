@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from variantgen.figure.drawing import THIN, Label, Layer, Path
 from variantgen.figure.ink import Segments, boxes_crossed, crosses
 from variantgen.figure.placement.label_requests import Costs, LabelRequest, Places, far_from
-from variantgen.figure.placement.misleading_places import misleading_costs
+from variantgen.figure.placement.misleading_places import MisleadingPlaces
 from variantgen.figure.placement.occupancy import Occupancy
 
 GAP = 0.8  # free space around a label, u
@@ -118,14 +118,15 @@ def _add_misleading(
     rank = np.empty(len(order), dtype=np.intp)
     rank[order] = np.arange(len(order)) - np.searchsorted(owner, owner)
     first = np.flatnonzero((rank < _FIRST) & (costs < _INK))
-    costs[first] += misleading_costs(requests, strangers, places[first], owner[first], occupancy)
+    misleading = MisleadingPlaces(requests, strangers, occupancy)
+    costs[first] += misleading.costs(places[first], owner[first])
     asked = np.zeros(len(costs), dtype=bool)
     asked[first] = True
     best = np.full(len(requests), np.inf)
     np.minimum.at(best, owner[first], costs[first])
     rest = np.flatnonzero(~asked & (costs < np.minimum(best[owner], _INK)))
     if rest.size:
-        costs[rest] += misleading_costs(requests, strangers, places[rest], owner[rest], occupancy)
+        costs[rest] += misleading.costs(places[rest], owner[rest])
 
 
 def _ink_costs(occupancy: Occupancy, places: Places, boxes: NDArray[np.float64]) -> Costs:
