@@ -94,12 +94,13 @@ class BodyBoard:
         return self.subject.mechanism.places[point]
 
     def fitted(
-        self, spread: Callable[[float, float], Sequence[complex]], longest: float, size: float = 1.0
+        self, spread: Callable[[float], Sequence[tuple[complex, complex]]], longest: float, size: float = 1.0
     ) -> tuple[float, float]:
         """The largest scale (u per metre) at which the bodies have room, and the length of the longest vector (u).
 
-        They have it with what is ``spread`` at a scale and a length. Vectors ``longest`` at first become shorter until
-        they are no longer than the bodies are large: else these would be lost between their arrows.
+        They have it with what is ``spread`` about them where the longest vector is so long: each is a place (m) and how
+        far from it (u). Vectors ``longest`` at first become shorter until they are no longer than the bodies are large:
+        else these would be lost between their arrows.
         """
         z = self.subject.mechanism.places
         bodies = self._surroundings(z, 1.0).extent()
@@ -107,13 +108,16 @@ class BodyBoard:
         most = largest(bodies, size * _BODY_WIDE, size * _BODY_HIGH)
         if not math.isfinite(most):
             most = largest([z[name] for name in self.named], size * _BODY_WIDE, size * _BODY_HIGH)
-        least = (_LEAST_RODS if self._rods else _LEAST_BODY) * most
+        steps = math.ceil(math.log(_LEAST_RODS if self._rods else _LEAST_BODY, _SMALLER))
+        scales = np.multiply.accumulate([most, *[_SMALLER] * steps])
         while True:
-            scale = most
-            outline = [*(scale * place for place in bodies), *spread(scale, longest)]
-            while scale > least and largest(outline, WIDE, HIGH) < 1.0:
-                scale *= _SMALLER
-                outline = [*(scale * place for place in bodies), *spread(scale, longest)]
+            places, ways = np.array([*((place, 0j) for place in bodies), *spread(longest)], dtype=complex).T
+            width, height = (
+                np.ptp(np.multiply.outer(scales, at) + way, axis=1)
+                for at, way in ((places.real, ways.real), (places.imag, ways.imag))
+            )
+            roomy = (width <= WIDE) & (height <= HIGH)
+            scale = float(scales[roomy.argmax()] if roomy.any() else scales[-1])
             shortest = min(longest, max(_SHORTEST, scale * max(whole.real, whole.imag)))
             if not whole or longest <= shortest:
                 return scale, longest

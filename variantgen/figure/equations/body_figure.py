@@ -150,8 +150,8 @@ class BodyFigure:
         if centre is None:
             return self.by_vectors(self.bodies)
 
-        def spread(scale: float, longest: float) -> list[complex]:
-            return [*self._tips(scale, longest), *(scale * centre + way for way in _ROUND)]
+        def spread(longest: float) -> list[tuple[complex, complex]]:
+            return [*self._tips(longest), *((centre, way) for way in _ROUND)]
 
         scale, longest = self.bodies.fitted(spread, self._longest)
         size = max((abs(self.now.z[p] - self.now.z[q]) for p in self.moving for q in self.moving), default=0.0)
@@ -237,8 +237,9 @@ class BodyFigure:
         drawn = zip(self._shown.items(), lengths, strict=True)
         return {name: length * vector / abs(vector) for (name, vector), length in drawn}, lengthened
 
-    def _tips(self, scale: float, longest: float) -> list[complex]:
-        return [scale * self._places[name] + 1.1 * vector for name, vector in self._drawn(longest)[0].items()]
+    def _tips(self, longest: float) -> list[tuple[complex, complex]]:
+        """The places of points (m) and how far beyond their vectors reach (u)."""
+        return [(self._places[name], 1.1 * vector) for name, vector in self._drawn(longest)[0].items()]
 
     def _board(self, bodies: BodyBoard, scale: float, longest: float) -> MotionBoard:
         """The bodies with the vectors, of which the longest has this length (u)."""

@@ -34,7 +34,7 @@ def draw_chain(subject: FigureSubject) -> Drawing:
     bodies = subject.form.bodies
     links = [next(name for name, members in bodies.items() if set(pair) <= set(members)) for pair in pairwise(points)]
     board = BodyBoard(subject, links, points)
-    scale, _ = board.fitted(lambda scale, longest: [_AXIS, _AXIS * 1j], 0.0)
+    scale, _ = board.fitted(lambda longest: [(0j, _AXIS), (0j, _AXIS * 1j)], 0.0)
     drawn = board.drawn(scale)
     sketch = drawn.sketch
     for number, (start, end) in enumerate(pairwise(points), 1):

@@ -102,9 +102,9 @@ def _base(
     # Else they would leave none for the bodies.
     longest *= min(1.0, largest([0j, *drawn], share * WIDE, share * HIGH))
 
-    def spread(scale: float, longest: float) -> list[complex]:
+    def spread(longest: float) -> list[tuple[complex, complex]]:
         drawn, _ = _tips(together, longest, bodies.subject.least)
-        return [scale * place, *(scale * place + 1.1 * vector for vector in drawn)]
+        return [(place, 0j), *((place, 1.1 * vector) for vector in drawn)]
 
     scale, longest = bodies.fitted(spread, longest, size)
     drawn, lengthened = _tips(together, longest, bodies.subject.least)
