@@ -31,6 +31,7 @@ _PRODUCT = 15.0  # of two labels that stand side by side so near that they read 
 _BESIDE = 2.4  # u
 _FIRST = 10  # candidates of each label that are asked first what they could be mistaken for
 _SWEEPS = 4
+_AWAY = complex(1e6, 1e6)  # far from all paper
 _LEADER_GAP = 0.35  # between a leader and its label or the symbol, u
 _ON_LEADER = np.linspace(0.0, 1.0, 24)  # places along a leader that are looked at
 
@@ -173,8 +174,9 @@ def _resolve_overlaps(choices: list[_Choice], first: Sequence[int]) -> None:
         if not pending:
             return
         for i in (k for k in order if k in pending):
-            choices[i].taken = int((choices[i].costs + _pair_costs(choices[i], *standing.but(i))).argmin())
-            standing.move(i, choices[i])
+            standing.take(i)
+            choices[i].taken = int((choices[i].costs + standing.costs(choices[i])).argmin())
+            standing.put(i, choices[i])
         # A label that could be led to, but still lies on a line, tries again in view of what has moved.
         stuck = {i for i, c in enumerate(choices) if c.costs[c.taken] >= _INK and c.led.any()}
         pending = set(_conflicting(choices)) | stuck
@@ -205,25 +207,30 @@ class _Standing:
         self._boxes = np.array([choice.request.box for choice in choices])
         self._leaders = [choice.leader for choice in choices]
 
-    def move(self, i: int, choice: _Choice) -> None:
-        """Note that label i has moved."""
+    def take(self, i: int) -> None:
+        """Take a label away from the paper."""
+        self._places[i], self._leaders[i] = _AWAY, None
+
+    def put(self, i: int, choice: _Choice) -> None:
+        """Put a label to its chosen place."""
         self._places[i], self._leaders[i] = choice.place, choice.leader
 
-    def but(self, i: int) -> tuple[Places, NDArray[np.float64], list[Path]]:
-        """Those of all labels but one."""
-        others = np.arange(len(self._places)) != i
-        leaders = [leader for j, leader in enumerate(self._leaders) if leader and j != i]
-        return self._places[others], self._boxes[others], leaders
+    def costs(self, own: _Choice) -> Costs:
+        """Cost of the overlaps of each candidate of a label with those that stand."""
+        return _pair_costs(own, self._places, self._boxes, [leader for leader in self._leaders if leader])
 
 
 def _pair_costs(own: _Choice, places: Places, boxes: NDArray[np.float64], leaders: Sequence[Path]) -> Costs:
     """Cost of the overlaps of each candidate of a label with others of these places, boxes and leaders."""
+    half_width, half_height = own.request.box
     across = np.abs(own.places.imag[:, None] - places.imag)
-    dx = np.abs(own.places.real[:, None] - places.real) - boxes[:, 0] - own.request.box[0]
-    space = np.maximum(dx, across - boxes[:, 1] - own.request.box[1])
+    dx = np.abs(own.places.real[:, None] - places.real) - (boxes[:, 0] + half_width)
+    space = np.maximum(dx, across - (boxes[:, 1] + half_height))
     # Letters side by side on one line read as a product.
-    product = (dx < _BESIDE) & (across < 0.7 * own.request.box[1])
-    result: Costs = np.add.reduce(_LABEL * (space < _TIGHT) + _CLOSE * (space < GAP) + _PRODUCT * product, axis=1)
+    product = (dx < _BESIDE) & (across < 0.7 * half_height)
+    result: Costs = _PRODUCT * np.add.reduce(product, axis=1)
+    if (near := space < GAP).any():
+        result += _CLOSE * np.add.reduce(near, axis=1) + _LABEL * np.add.reduce(space < _TIGHT, axis=1)
     return result + _leader_costs(own, places, boxes + _TIGHT, leaders)
 
 
