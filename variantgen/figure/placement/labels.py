@@ -171,15 +171,17 @@ def _resolve_overlaps(choices: list[_Choice], first: Sequence[int]) -> None:
     pending = set(first)
     standing = _Standing(choices)
     for _ in range(_SWEEPS):
-        if not pending:
-            return
+        before = [choice.taken for choice in choices]
         for i in (k for k in order if k in pending):
             standing.take(i)
             choices[i].taken = int((choices[i].costs + standing.costs(choices[i])).argmin())
             standing.put(i, choices[i])
         # A label that could be led to, but still lies on a line, tries again in view of what has moved.
         stuck = {i for i, c in enumerate(choices) if c.costs[c.taken] >= _INK and c.led.any()}
-        pending = set(_conflicting(choices)) | stuck
+        done, pending = pending, set(_conflicting(choices)) | stuck
+        # Who has not moved would not do so in view of the same places.
+        if pending <= done and before == [choice.taken for choice in choices]:
+            return
 
 
 def _conflicting(choices: Sequence[_Choice]) -> list[int]:
