@@ -174,7 +174,7 @@ def _resolve_overlaps(choices: list[_Choice], first: Sequence[int]) -> None:
         before = [choice.taken for choice in choices]
         for i in (k for k in order if k in pending):
             standing.take(i)
-            choices[i].taken = int((choices[i].costs + standing.costs(choices[i])).argmin())
+            choices[i].taken = standing.best(choices[i])
             standing.put(i, choices[i])
         # A label that could be led to, but still lies on a line, tries again in view of what has moved.
         stuck = {i for i, c in enumerate(choices) if c.costs[c.taken] >= _INK and c.led.any()}
@@ -217,36 +217,40 @@ class _Standing:
         """Put a label to its chosen place."""
         self._places[i], self._leaders[i] = choice.place, choice.leader
 
-    def costs(self, own: _Choice) -> Costs:
-        """Cost of the overlaps of each candidate of a label with those that stand."""
-        return _pair_costs(own, self._places, self._boxes, [leader for leader in self._leaders if leader])
+    def best(self, own: _Choice) -> int:
+        """The candidate of a label that costs least in view of what stands."""
+        costs = self._overlaps(own)
+        best = int((own.costs + costs).argmin())
+        # What its own leaders would cross only matters where one is wanted.
+        if own.led[best]:
+            costs[own.led] += self._crossed_by_leaders(own)
+            best = int((own.costs + costs).argmin())
+        return best
 
+    def _overlaps(self, own: _Choice) -> Costs:
+        """Cost of the labels and leaders under each candidate of a label."""
+        half_width, half_height = own.request.box
+        across = np.abs(own.places.imag[:, None] - self._places.imag)
+        dx = np.abs(own.places.real[:, None] - self._places.real) - (self._boxes[:, 0] + half_width)
+        space = np.maximum(dx, across - (self._boxes[:, 1] + half_height))
+        # Letters side by side on one line read as a product.
+        product = (dx < _BESIDE) & (across < 0.7 * half_height)
+        costs: Costs = _PRODUCT * np.add.reduce(product, axis=1)
+        if (near := space < GAP).any():
+            costs += _CLOSE * np.add.reduce(near, axis=1) + _LABEL * np.add.reduce(space < _TIGHT, axis=1)
+        leaders = [leader.points for leader in self._leaders if leader]
+        if leaders:
+            box = (half_width + _TIGHT, half_height + _TIGHT)
+            costs += _LABEL * boxes_crossed(own.places, box, np.array(leaders))
+        return costs
 
-def _pair_costs(own: _Choice, places: Places, boxes: NDArray[np.float64], leaders: Sequence[Path]) -> Costs:
-    """Cost of the overlaps of each candidate of a label with others of these places, boxes and leaders."""
-    half_width, half_height = own.request.box
-    across = np.abs(own.places.imag[:, None] - places.imag)
-    dx = np.abs(own.places.real[:, None] - places.real) - (boxes[:, 0] + half_width)
-    space = np.maximum(dx, across - (boxes[:, 1] + half_height))
-    # Letters side by side on one line read as a product.
-    product = (dx < _BESIDE) & (across < 0.7 * half_height)
-    result: Costs = _PRODUCT * np.add.reduce(product, axis=1)
-    if (near := space < GAP).any():
-        result += _CLOSE * np.add.reduce(near, axis=1) + _LABEL * np.add.reduce(space < _TIGHT, axis=1)
-    return result + _leader_costs(own, places, boxes + _TIGHT, leaders)
-
-
-def _leader_costs(own: _Choice, places: Places, boxes: NDArray[np.float64], leaders: Sequence[Path]) -> Costs:
-    """Cost of leaders of others under each candidate of a label, and of its own leaders over their boxes."""
-    costs = np.zeros(len(own.places))
-    if own.led.any():
+    def _crossed_by_leaders(self, own: _Choice) -> Costs:
+        """Cost of the labels that the leaders of a label would cross."""
+        boxes = self._boxes + _TIGHT
         ways = 0.5 * (own.places[own.led] - own.request.anchor)
-        middles = own.request.anchor + ways - places[:, None]
-        costs[own.led] += _LABEL * np.add.reduce(crosses(middles, ways, (boxes[:, :1], boxes[:, 1:])), axis=0)
-    if leaders:
-        box = (own.request.box[0] + _TIGHT, own.request.box[1] + _TIGHT)
-        costs += _LABEL * boxes_crossed(own.places, box, np.array([leader.points for leader in leaders]))
-    return costs
+        middles = own.request.anchor + ways - self._places[:, None]
+        crossed: Costs = _LABEL * np.add.reduce(crosses(middles, ways, (boxes[:, :1], boxes[:, 1:])), axis=0)
+        return crossed
 
 
 def _leader(request: LabelRequest, place: complex) -> Path | None:
