@@ -1,0 +1,52 @@
+"""What makes the figure of a composed mechanism hard to read is seen before anybody draws it."""
+
+from __future__ import annotations
+
+import pytest
+
+from variantgen.synthesis.chance import Chance
+from variantgen.synthesis.crowding import crowded
+from variantgen.synthesis.draft import Datum, Draft
+
+
+def _draft(**places: complex) -> Draft:
+    draft = Draft(Chance("crowding"), z={"O": 0j, **places}, pivots=["O"])
+    draft.data["OA"] = Datum("cm", 40, 2, 6)
+    return draft
+
+
+@pytest.mark.parametrize(
+    ("far", "said"),
+    [
+        (175 + 60j, "CD across the guide of B"),  # 20 cm beside B; the guide is an eighth of 175 cm to either side
+        (290 + 60j, ""),
+    ],
+)
+def test_no_link_lies_across_the_guide_of_a_slider(far: complex, said: str) -> None:
+    draft = _draft(A=40 + 30j, B=140 + 0j, C=far.real - 30 - 60j, D=far)
+    draft.joint("guide", point="B")
+    for start, end in ("OA", "AB", "CD"):
+        draft.bodies[start + end] = [start, end]
+        draft.bars.append((start, end))
+    assert crowded(draft) == said
+
+
+@pytest.mark.parametrize(("rise", "said"), [(16, "EC along the guide of D"), (40, "")])
+def test_a_rod_to_a_block_is_not_along_the_link_on_which_it_slides(rise: float, said: str) -> None:
+    # D slides on AB; the rod DC goes on to E, so that the bar is drawn from E to C.
+    draft = _draft(A=40 + 0j, B=160 + 0j, D=90 + 0j, C=145 + rise * 1j)
+    draft.z["E"] = draft.z["D"] + 0.7 * (draft.z["D"] - draft.z["C"])
+    draft.bodies |= {"OA": ["O", "A"], "AB": ["A", "B"], "DC": ["E", "C", "D"]}
+    draft.bars += [("A", "B"), ("E", "C")]
+    draft.inside.append(("D", "A", "B"))
+    assert crowded(draft) == said
+
+
+@pytest.mark.parametrize(("size", "said"), [(20, "angles at A and O"), (40, "")])
+def test_arcs_of_neighbouring_angles_have_room(size: float, said: str) -> None:
+    draft = _draft(A=size + 0j, B=size + 120j)
+    draft.marks += [
+        {"name": "phi", "at": "O", "from": "+y", "to": "A"},
+        {"name": "beta", "at": "A", "from": "O", "to": "B"},
+    ]
+    assert crowded(draft) == said
