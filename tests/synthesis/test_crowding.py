@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 from variantgen.synthesis.chance import Chance
-from variantgen.synthesis.crowding import crowded
+from variantgen.synthesis.crowding import crossed, crowded
 from variantgen.synthesis.draft import Datum, Draft
 
 
@@ -29,6 +30,25 @@ def test_no_link_lies_across_the_guide_of_a_slider(far: complex, said: str) -> N
         draft.bodies[start + end] = [start, end]
         draft.bars.append((start, end))
     assert crowded(draft) == said
+
+
+def test_a_rod_ends_at_its_slider_and_does_not_go_on_through_the_guide() -> None:
+    draft = _draft(A=40 + 30j, B=140 + 0j, C=190 - 15j)
+    draft.joint("guide", point="B")
+    draft.bodies |= {"OA": ["O", "A"], "AB": ["A", "C", "B"]}
+    draft.bars += [("O", "A"), ("A", "C")]
+    assert crowded(draft) == "AC across the guide of B"
+
+
+def test_variants_are_seen_on_which_a_link_lies_across_a_guide() -> None:
+    draft = _draft(A=40 + 30j, B=140 + 0j, C=185 - 60j, D=185 + 60j)
+    draft.joint("guide", point="B")
+    for start, end in ("OA", "AB", "CD"):
+        draft.bodies[start + end] = [start, end]
+        draft.bars.append((start, end))
+    places = {name: np.array([z, z]) for name, z in draft.z.items()}
+    places |= {name: np.array([places[name][0], places[name][0] - 25]) for name in "CD"}
+    assert crossed(draft, places).tolist() == [False, True]  # 45 and 20 cm beside B; the guide is 24 cm to either side
 
 
 @pytest.mark.parametrize(("rise", "said"), [(16, "EC along the guide of D"), (40, "")])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from itertools import combinations
 from typing import Any, TypeAlias
 
@@ -40,8 +40,14 @@ def too_long(draft: Draft) -> str:
 
 
 def crossed(draft: Draft, z: Mapping[str, NDArray[np.complex128]]) -> NDArray[np.bool_]:
-    """On which of N variants of a draft two links cross that nothing joins; ``z`` has its points, shape (N,) each."""
+    """On which of N variants of a draft two links cross that nothing joins, or one a guide; ``z`` has its points,
+    shape (N,) each.
+    """
     found = np.zeros(next(iter(z.values())).shape, dtype=bool)
+    places = np.array([z[name] for name in _visible(draft)])
+    size = np.maximum(np.ptp(places.real, axis=0), np.ptp(places.imag, axis=0))
+    for point, bar in _near_guides(draft):
+        found |= _cross(_with_guide(draft, z, point, size), ("start", "end"), bar)
     for one, other in combinations(draft.bars, 2):
         if not _joined(draft, one, other):
             found |= _cross(z, one, other)
@@ -71,13 +77,13 @@ def _on_bars(draft: Draft) -> str:
 
 def _on_wheels(draft: Draft) -> str:
     """A link or a point in the way of a wheel."""
-    for centre, rim in draft.wheels:
-        need = _OFF_WHEEL * draft.distance(centre, rim)
+    for centre, radius in draft.wheels:
+        need = _OFF_WHEEL * draft.value(radius)
         for bar in draft.bars:
             if centre not in bar and _off(draft.z, centre, bar) < need:
                 return f"{bar[0]}{bar[1]} on the wheel"
         for name in _visible(draft):
-            if name not in (centre, rim) and draft.distance(centre, name) < need:
+            if name != centre and draft.distance(centre, name) < need:
                 return f"{name} on the wheel"
     return ""
 
@@ -113,22 +119,44 @@ def _blocks(draft: Draft) -> str:
 
 
 def _on_guides(draft: Draft) -> str:
-    """A link across the line of a fixed guide of something else, or a point on it."""
-    stems, slid = draft.hints.get("stems", ()), _slid(draft)
-    for kind, fields in draft.joints:
-        point = fields.get("point", "")
-        if kind != "guide" or point in stems:
-            continue
-        own = {point}.union(*(members for members in draft.bodies.values() if point in members))
-        half = _GUIDE * _size(draft) * cmath.rect(1.0, math.radians(fields.get("angle", 0)))
-        z = {**draft.z, "start": draft.z[point] - half, "end": draft.z[point] + half}
-        for bar in draft.bars:
-            if not {*bar} <= own and (point, bar) not in slid and _cross(z, ("start", "end"), bar):
-                return f"{bar[0]}{bar[1]} across the guide of {point}"
+    """A link across the line of a fixed guide, or a point on it."""
+    for point, bar in _near_guides(draft):
+        if _cross(_with_guide(draft, draft.z, point, _size(draft)), ("start", "end"), bar):
+            return f"{bar[0]}{bar[1]} across the guide of {point}"
+    for point, _ in _guides(draft):
+        z, own = _with_guide(draft, draft.z, point, _size(draft)), _riding(draft, point)
         for name in _visible(draft):
             if name not in own and _off(z, name, ("start", "end")) < _CLEAR * _size(draft):
                 return f"{name} on the guide of {point}"
     return ""
+
+
+def _guides(draft: Draft) -> list[tuple[str, float]]:
+    """The sliders in fixed guides and the directions of these (degrees); the bearing of a yoke is on its own bar."""
+    stems = draft.hints.get("stems", ())
+    guides = [fields for kind, fields in draft.joints if kind == "guide" and fields["point"] not in stems]
+    return [(fields["point"], float(fields.get("angle", 0))) for fields in guides]
+
+
+def _near_guides(draft: Draft) -> Iterator[tuple[str, Bar]]:
+    """Sliders in fixed guides, and the bars that must not lie across these: none ends there or slides on the pin."""
+    slid, grooves = _slid(draft), [set(ends) for ends in draft.hints.get("grooves", ())]
+    for point, _ in _guides(draft):
+        for bar in (bar for bar in draft.bars if set(bar) not in grooves or point not in _members(draft, bar)):
+            through = point in _members(draft, bar) and point not in bar
+            if through or (not {*bar} <= _riding(draft, point) and (point, bar) not in slid):
+                yield point, bar
+
+
+def _riding(draft: Draft, point: str) -> set[str]:
+    """A point and those of its bodies."""
+    return {point}.union(*(members for members in draft.bodies.values() if point in members))
+
+
+def _with_guide(draft: Draft, z: Mapping[str, Any], point: str, size: Any) -> Mapping[str, Any]:
+    """Places with the ``start`` and the ``end`` of the line of a guide; ``size`` is that of the whole, as ``z``."""
+    half = _GUIDE * size * cmath.rect(1.0, math.radians(dict(_guides(draft))[point]))
+    return {**z, "start": z[point] - half, "end": z[point] + half}
 
 
 def _marks(draft: Draft) -> str:

@@ -8,7 +8,7 @@ from variantgen.synthesis.chance import Chance
 from variantgen.synthesis.crowding import crowded, too_long
 from variantgen.synthesis.draft import OPENINGS, Datum, Draft, LayoutError
 from variantgen.synthesis.dyads import place_dyad
-from variantgen.synthesis.structures import CRANK, Structure
+from variantgen.synthesis.structures import CRANK, FRAME, Structure
 
 MOST_DATA = 10
 _TRIES = 60  # of one dyad on what is there
@@ -28,11 +28,12 @@ def lay_out(structure: Structure, rng: Chance) -> Draft:
 
 
 def _uses(structure: Structure) -> dict[int, str]:
-    """The letters of the joints that dyads make on each link."""
+    """The letters of the joints that dyads make on each link, with an M for each one whose other end moves too."""
     found = dict.fromkeys(range(2 + 2 * len(structure)), "")
     for kind, on, to in structure:
-        found[on] += kind[0]
-        found[to] += kind[-1]
+        between = "" if FRAME in (on, to) else "M"
+        found[on] += kind[0] + between
+        found[to] += kind[-1] + between
     return found
 
 
