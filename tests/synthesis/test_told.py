@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -11,6 +12,10 @@ from variantgen.cli.app import main
 from variantgen.families.asking import read_ask
 from variantgen.families.reading.files import FAMILY
 from variantgen.families.reading.load import load_family
+from variantgen.synthesis.chance import Chance
+from variantgen.synthesis.draft import LayoutError
+from variantgen.synthesis.layout import lay_out
+from variantgen.synthesis.structures import parse_code
 from variantgen.variants.variant import Variant, solve_variants
 
 _OWN = re.compile(r"(\d+)\*cm")  # lengths that stand in the file of the family and on no sheet
@@ -36,3 +41,19 @@ def test_the_answers_follow_from_the_sheet(code: str, tmp_path: Path) -> None:
         longer = f"{int(number[1]) + 2}*cm"
         (folder / FAMILY).write_text(text[: number.start()] + longer + text[number.end() :], "utf-8")
         assert _answers(folder) == pytest.approx(found, rel=1e-9, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("code", "told"),
+    [
+        ("RPP10-RRR03", False),  # a rod and a link about a fixed axis hang on the yoke: angles say how they lie
+        ("RPP10-RRR03-RRR25", True),  # and two rods lead from that link back to the block in the slot
+    ],
+)
+def test_lengths_say_where_the_end_of_a_yoke_is_where_that_matters(code: str, told: bool) -> None:
+    found = []
+    for seed in range(12):
+        with suppress(LayoutError):
+            found.append(lay_out(parse_code(code), Chance("told", seed)))
+    assert found
+    assert all(({"AC", "CB"} <= draft.data.keys()) is told for draft in found)

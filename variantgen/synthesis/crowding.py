@@ -40,14 +40,19 @@ def too_long(draft: Draft) -> str:
 
 
 def crossed(draft: Draft, z: Mapping[str, NDArray[np.complex128]]) -> NDArray[np.bool_]:
-    """On which of N variants of a draft two links cross that nothing joins, or one a guide; ``z`` has its points,
-    shape (N,) each.
+    """On which of N variants of a draft two links cross that nothing joins, or one a guide or a wheel; ``z`` has its
+    points, in cm, shape (N,) each.
     """
     found = np.zeros(next(iter(z.values())).shape, dtype=bool)
     places = np.array([z[name] for name in _visible(draft)])
     size = np.maximum(np.ptp(places.real, axis=0), np.ptp(places.imag, axis=0))
     for point, bar in _near_guides(draft):
         found |= _cross(_with_guide(draft, z, point, size), ("start", "end"), bar)
+    for centre, radius in draft.wheels:
+        largest = draft.value(radius) + draft.data[radius].spread
+        for bar in draft.bars:
+            if centre not in bar:
+                found |= _off(z, centre, bar) < largest
     for one, other in combinations(draft.bars, 2):
         if not _joined(draft, one, other):
             found |= _cross(z, one, other)
@@ -208,9 +213,10 @@ def _joined(draft: Draft, one: Bar, other: Bar) -> bool:
     return sliding or bool(set(first) & set(second))
 
 
-def _off(z: Mapping[str, complex], name: str, bar: Bar) -> float:
+def _off(z: Mapping[str, Any], name: str, bar: Bar) -> Any:
+    """How far a point is from a segment; numbers or arrays."""
     start, step = z[bar[0]], z[bar[1]] - z[bar[0]]
-    part = min(1.0, max(0.0, ((z[name] - start) / step).real))
+    part = np.clip(((z[name] - start) / step).real, 0.0, 1.0)
     return abs(z[name] - start - part * step)
 
 

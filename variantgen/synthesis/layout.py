@@ -28,12 +28,14 @@ def lay_out(structure: Structure, rng: Chance) -> Draft:
 
 
 def _uses(structure: Structure) -> dict[int, str]:
-    """The letters of the joints that dyads make on each link, with an M for each one whose other end moves too."""
+    """The letters of the joints that dyads make on each link, with an M for each one from which a way leads on to
+    another moving link: there, it matters where the joint is.
+    """
     found = dict.fromkeys(range(2 + 2 * len(structure)), "")
-    for kind, on, to in structure:
-        between = "" if FRAME in (on, to) else "M"
-        found[on] += kind[0] + between
-        found[to] += kind[-1] + between
+    for place, (kind, on, to) in reversed([*enumerate(structure)]):
+        leads_on = FRAME not in (on, to) or "M" in found[2 * place + 2] + found[2 * place + 3]
+        found[on] += kind[0] + "M" * leads_on
+        found[to] += kind[-1] + "M" * leads_on
     return found
 
 

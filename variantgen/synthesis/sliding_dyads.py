@@ -117,8 +117,8 @@ def two_guides(draft: Draft, links: tuple[int, int], dyad: AssurGroup, _: dict[i
 def yoke(draft: Draft, links: tuple[int, int], dyad: AssurGroup, uses: dict[int, str]) -> None:
     """RPP: a block on a moving link in the slot of a yoke that moves along a fixed guide.
 
-    Where a dyad hangs on the yoke and on another moving link, its angles depend on where the end of the yoke is: then
-    the foot of the slot has a letter, and lengths say it.
+    Where a way leads on from the yoke to another moving link, angles depend on where the end of the yoke is: then the
+    foot of the slot has a letter, and lengths say it.
     """
     if dyad.to != FRAME or dyad.on == FRAME:
         raise LayoutError("the yoke slides on a moving link")
