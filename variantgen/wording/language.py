@@ -134,6 +134,8 @@ class Language:
         target, component = quantity.target, quantity.component
         if quantity.is_of_turn:
             return self._of_turn(quantity, bodies)
+        if quantity.group == "difference":
+            return self._of_pair(quantity)
         if quantity.is_centre:
             body = tuple(Index(name) for name in (bodies.get(target, target),) if name)
             if quantity.is_coordinate:
@@ -155,6 +157,14 @@ class Language:
         if quantity.component in _ABOUT:
             return SymbolProperty(_ABOUT[quantity.component], self.symbol(quantity.whole_name, bodies))
         return self.symbol(quantity.name, bodies)
+
+    def _of_pair(self, quantity: Quantity) -> Symbol | SymbolProperty:
+        """``v_B/A``, its component ``v_B/A x``, its direction."""
+        whole = Symbol(self.letter(quantity.kind), (self.relative_to(*quantity.pair),))
+        if quantity.component in _ABOUT:
+            return SymbolProperty(_ABOUT[quantity.component], whole)
+        part = on_line(quantity.component) if quantity.line else quantity.component
+        return whole._replace(index=(*whole.index, Index(part))) if part else whole
 
     def _of_turn(self, quantity: Quantity, bodies: Mapping[str, str]) -> Symbol:
         """``v_B max``, ``φ_v_B max``, ``ω_BC mean``; the letters of a stroke, a swing and a ratio of times."""

@@ -91,6 +91,10 @@ def letter_notes(asked: Sequence[Quantity], language: Language) -> list[str]:
     }
     notes = [words[key] for key, wanted in needed.items() if wanted]
     pairs = dict.fromkeys((q.kind, q.target, q.component) for q in asked if q.kind == "distance" or q.group == "rope")
+    seen = dict.fromkeys(q.pair for q in (q.of_instant or q for q in asked) if q.group == "difference")
+    notes += [
+        words["seen"].format(index=language.relative_to(*pair).text, point=pair[0], base=pair[1]) for pair in seen
+    ]
     return notes + [
         words["distance" if kind == "distance" else "rope"].format(start=start, end=end) for kind, start, end in pairs
     ]

@@ -4,6 +4,7 @@
 name                      meaning
 ========================  ======================================================================================
 ``v_B  a_B``              magnitude of the velocity, acceleration of a point
+``v_B_A  a_B_A``          of one point as seen from another, also written ``v_B/A``: the difference of both vectors
 ``v_B.x  a_B.y``          component on paper (x to the right, y up)
 ``v_B.angle``             direction: angle from the x axis, -180 to 180 degrees, positive counter-clockwise
 ``v_B.along_AC``          component along the way from A to C

@@ -19,6 +19,7 @@ from variantgen.mechanism.rope_speed import rope_piece, rope_speed
 from variantgen.mechanism.turn.crank_turn import CrankTurn, crank_turn
 from variantgen.mechanism.turn.turn_values import Scalar, largest, mean, smallest, time_ratio, travel
 
+BETWEEN = "_"  # between the two points of a difference: the velocity of B seen from A is v of B_A
 ROPE = "v_rope"  # the kind whose name has a dot before both of its points
 ALONG, ACROSS = "along_", "across_"  # before the two points of a named direction
 _ENDS = re.compile(r"([A-Za-z]\d*)([A-Za-z]\d*)")
@@ -90,6 +91,12 @@ def _of_vector(vectors: Callable[[Motion, str], ComplexField]) -> Computed:
         return np.abs(vector)
 
     return value
+
+
+def _seen(vectors: Mapping[str, ComplexField], target: str) -> ComplexField:
+    """The vector of a point, or of one point seen from another (``B_A``), whose axes do not turn: the difference."""
+    point, _, base = target.partition(BETWEEN)
+    return vectors[point] - vectors[base] if base else vectors[point]
 
 
 def _relative(part: str) -> Callable[[Motion, str], ComplexField]:
@@ -185,8 +192,8 @@ def _to_and_fro(find: Callable[[CrankTurn, str], Field]) -> Computed:
 
 
 _OF_INSTANT: Mapping[str, Kind] = {
-    "v": Kind("vector", 1, "velocity", _of_vector(lambda motion, point: motion.v[point])),
-    "a": Kind("vector", 2, "acceleration", _of_vector(lambda motion, point: motion.a[point])),
+    "v": Kind("vector", 1, "velocity", _of_vector(lambda motion, point: _seen(motion.v, point))),
+    "a": Kind("vector", 2, "acceleration", _of_vector(lambda motion, point: _seen(motion.a, point))),
     "v_rel": Kind("relative", 1, "velocity", _of_vector(_relative("velocity"))),
     "a_rel": Kind("relative", 2, "acceleration", _of_vector(_relative("acceleration"))),
     "a_cor": Kind("relative", 2, "acceleration", _of_vector(_relative("coriolis"))),

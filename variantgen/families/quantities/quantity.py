@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from variantgen.algebra.decimals import RECORDED_DIGITS
 from variantgen.families.parameters.units import Unit, unit
-from variantgen.families.quantities.kinds import ACROSS, ALONG, KINDS, MEAN, NATURAL, ROPE, line_ends
+from variantgen.families.quantities.kinds import ACROSS, ALONG, BETWEEN, KINDS, MEAN, NATURAL, ROPE, line_ends
 from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import Field, Motion
 from variantgen.mechanism.rope_speed import rope_piece
@@ -50,7 +50,8 @@ class Quantity:
     @property
     def group(self) -> str:
         """The group of its kind, which tells how it is named and read."""
-        return KINDS[self.kind].group
+        group = KINDS[self.kind].group
+        return "difference" if group == "vector" and BETWEEN in self.target else group
 
     @property
     def of_instant(self) -> Quantity | None:
@@ -71,7 +72,17 @@ class Quantity:
     @property
     def is_vector(self) -> bool:
         """Whether it belongs to a vector of a point: its magnitude, a component, its angle."""
-        return self.group in ("vector", "relative")
+        return self.group in ("vector", "relative", "difference")
+
+    @property
+    def pair(self) -> tuple[str, str]:
+        """The point whose motion is seen and the one from which it is seen, of ``v_B_A``."""
+        point, _, base = self.target.partition(BETWEEN)
+        return point, base
+
+    def common_body(self, scene: Scene) -> str:
+        """The body that both points of a pair belong to, or ''."""
+        return next((body for body, members in scene.bodies.items() if {*self.pair} <= {*members}), "")
 
     @property
     def is_magnitude(self) -> bool:
@@ -145,6 +156,8 @@ class Quantity:
             case "turn":
                 crank = crank_of(scene)
                 return (Quantity("omega", crank.body),) if crank and self.kind.startswith(MEAN) else ()
+            case "difference":
+                return self._of_pair(scene)
             case "path":
                 return Quantity("v", self.target), Quantity("a", self.target, "x")
             case "ratio":
@@ -152,6 +165,12 @@ class Quantity:
             case "rope":
                 return self._of_rope(scene)
         return (self,)
+
+    def _of_pair(self, scene: Scene) -> tuple[Quantity, ...]:
+        """The rotation of the body of both points, or the vectors of both."""
+        if body := self.common_body(scene):
+            return tuple(Quantity(rate, body) for rate in ("omega", "epsilon")[: self.order])
+        return tuple(Quantity(self.kind, point, "x") for point in self.pair)
 
     def _of_rope(self, scene: Scene) -> tuple[Quantity, ...]:
         """The rotation of the drum, or the motion of the end, from which a rope runs over fixed pulleys alone."""
@@ -169,12 +188,16 @@ class Quantity:
         """The point it speaks of, or ''."""
         if self.is_centre:
             return "" if self.is_coordinate else self.component
+        if self.group == "difference":
+            return ""
         return self.target if self.is_vector or self.group == "path" or self.is_coordinate else ""
 
     def points(self, known: Mapping[str, object]) -> tuple[str, ...]:
         """All points that its name speaks of, those of a named direction or of a line too; ``known`` are all points."""
         if self.of_instant is not None:
             return self.of_instant.points(known)
+        if self.group == "difference":
+            return (*self.pair, *((line_ends(self.line, known) or ()) if self.line else ()))
         if self.line:
             return (self.target, *(line_ends(self.line, known) or ()))
         if self.kind in ("distance", ROPE):

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.parameters.units import UNITS, usual_name
-from variantgen.families.quantities.kinds import KINDS, NATURAL, ROPE, line_ends
+from variantgen.families.quantities.kinds import BETWEEN, KINDS, NATURAL, ROPE, line_ends
 from variantgen.families.quantities.quantity import Quantity
 from variantgen.mechanism.relative import sliding_points
 from variantgen.mechanism.rope_speed import rope_piece, rope_pieces
@@ -18,7 +18,7 @@ from variantgen.mechanism.turn.crank_turn import crank_of, is_steady
 _PART = "[A-Za-z][A-Za-z0-9]*"
 _KIND = "|".join(sorted(KINDS, key=len, reverse=True))
 _ROPE = re.compile(rf"({re.escape(ROPE)})\.({_PART})\.({_PART})")
-_PATTERN = re.compile(rf"({_KIND})_({_PART})(?:\.((?:along_|across_)?{_PART}(?:\.{_PART})?))?")
+_PATTERN = re.compile(rf"({_KIND})_({_PART}(?:[{BETWEEN}/]{_PART})?)(?:\.((?:along_|across_)?{_PART}(?:\.{_PART})?))?")
 _OF_POINT = ("", ".x", ".y", ".angle")
 _OF_BODY = ("", ".abs", ".sense")
 _NO_EXTREMES = (*NATURAL, "x", "y", "angle", "abs", "sense")  # components of which no extreme is asked
@@ -48,12 +48,15 @@ def _match(text: str) -> re.Match[str] | None:
 
 
 def split_name(text: str) -> Quantity:
-    """The quantity of a name that is known to be one, with the unit that it may want; ValueError if it is none."""
+    """The quantity of a name that is known to be one, with the unit that it may want; ValueError if it is none.
+
+    As books do, ``v_B/A`` may be written for ``v_B_A``.
+    """
     name, wanted = split_unit(text)
     match = _match(name)
     if match is None:
         raise ValueError(f"{text} is no name of a quantity")
-    return Quantity(match[1], match[2], match[3] or "", wanted)
+    return Quantity(match[1], match[2].replace("/", BETWEEN), match[3] or "", wanted)
 
 
 def split_unit(text: str) -> tuple[str, str]:
@@ -101,12 +104,9 @@ def _moving_points(scene: Scene) -> list[str]:
 def _is_further(quantity: Quantity, scene: Scene) -> bool:
     """Whether a scene has a quantity that is not among its plain ones."""
     target, component = quantity.target, quantity.component
-    if quantity.line:
-        whole = {"vector": _moving_points, "relative": sliding_points}.get(quantity.group)
-        return whole is not None and target in whole(scene) and line_ends(quantity.line, scene.points) is not None
+    if quantity.is_vector:
+        return _has_vector(quantity, scene) and _has_part(quantity, scene)
     match quantity.group:
-        case "vector":
-            return quantity.kind == "a" and component in NATURAL and target in _moving_points(scene)
         case "centre":
             return target in scene.bodies and component in ("x", "y")
         case "ratio":
@@ -122,6 +122,25 @@ def _is_further(quantity: Quantity, scene: Scene) -> bool:
     return False
 
 
+def _has_vector(quantity: Quantity, scene: Scene) -> bool:
+    """Whether a scene has the point that moves or slides, or both points, of a vector."""
+    match quantity.group:
+        case "vector":
+            return quantity.target in _moving_points(scene)
+        case "relative":
+            return quantity.target in sliding_points(scene)
+    return len({*quantity.pair} & {*_moving_points(scene)}) == 2
+
+
+def _has_part(quantity: Quantity, scene: Scene) -> bool:
+    """Whether a vector has the component that is asked, which no plain quantity is."""
+    if quantity.line:
+        return line_ends(quantity.line, scene.points) is not None
+    if quantity.group == "difference":
+        return quantity.component in ("", *(part[1:] for part in _OF_POINT[1:]))
+    return quantity.group == "vector" and quantity.kind == "a" and quantity.component in NATURAL
+
+
 def _has_turn(quantity: Quantity, scene: Scene) -> bool:
     """Whether a scene with a crank has the quantity of which an extreme is taken, or what goes to and fro."""
     if _of_crank(quantity, scene):
@@ -130,7 +149,8 @@ def _has_turn(quantity: Quantity, scene: Scene) -> bool:
     if of is not None:
         plain = not of.is_direction and of.component not in _NO_EXTREMES and not of.line
         steady = of.order < 2 or is_steady(scene)
-        return plain and steady and (of.name in quantity_names(scene) or _is_further(of, scene))
+        moves = of.group != "position" or bool({*of.points(scene.points)} & {*_moving_points(scene)})
+        return plain and steady and moves and (of.name in quantity_names(scene) or _is_further(of, scene))
     movers = {"stroke": _moving_points(scene), "swing": scene.bodies}
     return not quantity.component and quantity.target in movers.get(quantity.kind, {*movers["stroke"], *scene.bodies})
 

@@ -41,6 +41,10 @@ class _Outputs:
                 return self._part(self._rate(quantity.target, quantity.order), quantity.component)
             case "vector" if quantity.component in NATURAL:
                 return self._natural(quantity.target, quantity.component)
+            case "difference":
+                pair = zip(*(self._components(point, quantity.order) for point in quantity.pair), strict=True)
+                x, y = (self._difference(*ends) for ends in pair)
+                return self._vector((x, y), quantity.component)
             case "vector":
                 return self._vector(self._components(quantity.target, quantity.order), quantity.component)
             case "path":
