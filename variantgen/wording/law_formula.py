@@ -18,6 +18,7 @@ from variantgen.algebra.expression import (
     Total,
     Variable,
 )
+from variantgen.algebra.normal_form import signed
 from variantgen.families.family import Form
 from variantgen.families.parameters.expressions import FamilyExpression, parse
 from variantgen.families.parameters.units import UNITS, unit
@@ -81,6 +82,10 @@ def _formula(item: Expression, language: Language, symbols: Mapping[str, str]) -
             return language.unit(unit(name)) if name in UNITS and name != "in" else language.symbol(name, symbols)
         case Total(terms):
             return Sum(tuple((sign, of(term)) for sign, term in terms))
+        case Times((first, *others)) if (found := signed(first))[0] < 0:
+            return Sum(((-1, of(Times((found[1], *others)))),))
+        case Ratio(above, below) if (found := signed(above))[0] < 0:
+            return Sum(((-1, of(Ratio(found[1], below))),))
         case Times((Constant(value), Variable(name))) if name in UNITS:
             return Measured(_number(value, language), language.unit(unit(name)))
         case Times(factors):
