@@ -25,7 +25,8 @@ _PATTERNS = (
     "x_{p}", "y_{p}", "angle_{p}{q}", "angle_{p}.{q}.{r}", "distance_{p}.{q}", "v_{p}.along_{q}{r}",
     "v_{p}.across_{q}{r}", "a_{p}.t", "a_{p}.n", "rho_{p}", "ratio_{b}.{c}", "P_{b}.x", "Q_{b}.y",
     "v_rope.{p}.{q}", "max_v_{p}", "min_omega_{b}", "phi_max_x_{p}", "mean_v_{p}", "stroke_{p}", "swing_{b}",
-    "time_ratio_{p}",
+    "time_ratio_{p}", "max_t_v_{p}", "t_max_v_{p}", "t_zero_v_{p}", "t_back_{p}", "way_{p}", "shift_{p}.x",
+    "average_v_{p}", "turned_{b}",
 )  # fmt: skip
 
 

@@ -15,9 +15,9 @@ from variantgen.mechanism.solving.solve import solve
 from variantgen.outputs.single.explanation import explain
 from variantgen.single import answers, one_variant
 from variantgen.testing.linkages import slider_crank
+from variantgen.wording.answer_notes import answer_notes
 from variantgen.wording.formula import to_plain
 from variantgen.wording.language import load_language
-from variantgen.wording.statement import answer_notes
 
 # A car that brakes on a straight road and another one that speeds up on a bend of 40 m.
 CARS = """

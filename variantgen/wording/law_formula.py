@@ -24,6 +24,7 @@ from variantgen.families.parameters.expressions import FamilyExpression, parse
 from variantgen.families.parameters.units import UNITS, unit
 from variantgen.mechanism.constructions.coordinates import Coordinates
 from variantgen.mechanism.constructions.polar import Polar
+from variantgen.variants.variant import Variant
 from variantgen.wording.formula import (
     Absolute,
     Equation,
@@ -51,6 +52,17 @@ def law_equations(form: Form, language: Language) -> list[Equation]:
             right = Product((right, language.unit(unit(law.plain_unit))))
         found.append(Equation(_left(form, name, language), right))
     return found
+
+
+def interval_of(variant: Variant, language: Language) -> Relation:
+    """The interval of time of a variant, ``0 ≤ t ≤ 3 s``."""
+    form = variant.form
+    assert form.interval is not None, "there is an interval"
+    values = form.values({name: variant.si(name) for name in form.parameters})
+    start, end = (float(expression.value(values)) for expression in (form.interval.start, form.interval.end))
+    time = language.symbol(form.interval.time, form.symbols)
+    last = Measured(_number(end, language), language.unit(unit("s")))
+    return Relation((_number(start, language), time, last), ("≤", "≤"))
 
 
 def _left(form: Form, law: str, language: Language) -> Formula:

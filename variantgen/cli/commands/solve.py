@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from variantgen.exam.sheets import Answer
 
 _DIGITS = 5
+_NO_COURSE = "no value: it does not come in the interval of time, or the mechanism cannot move all through it"
 _NO_TURN = "no value: it does not change over a turn, nothing moves to and fro, or the crank cannot make the turn"
 HELP = "solve one variant"
 DESCRIPTION = "Solve one variant of a family, or a scene file: positions, velocities, accelerations."
@@ -109,6 +110,8 @@ def _told(answer: Answer) -> str:
     from variantgen.wording.formula import to_plain
 
     if not isfinite(answer.value):
-        return answer.quantity.name + (f": {_NO_TURN}" if answer.quantity.is_of_turn else " = infinite")
+        quantity = answer.quantity
+        reason = _NO_TURN if quantity.is_of_turn else _NO_COURSE if quantity.is_of_interval else ""
+        return quantity.name + (f": {reason}" if reason else " = infinite")
     exact = f"= {to_plain(answer.surd)} ≈".replace("\N{MINUS SIGN}", "-") if answer.surd else "="
     return f"{answer.quantity.name} {exact} {answer.value:.6g} {answer.unit.name}".removesuffix(" 1")

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.parameters.units import UNITS, usual_name
+from variantgen.families.quantities.interval_kinds import ZERO
 from variantgen.families.quantities.kinds import BETWEEN, KINDS, NATURAL, ROPE, line_ends
 from variantgen.families.quantities.quantity import Quantity
 from variantgen.mechanism.relative import sliding_points
@@ -21,6 +22,7 @@ _ROPE = re.compile(rf"({re.escape(ROPE)})\.({_PART})\.({_PART})")
 _PATTERN = re.compile(rf"({_KIND})_({_PART}(?:[{BETWEEN}/]{_PART})?)(?:\.((?:along_|across_)?{_PART}(?:\.{_PART})?))?")
 _OF_POINT = ("", ".x", ".y", ".angle")
 _OF_BODY = ("", ".abs", ".sense")
+_VECTORS_OF_INTERVAL = ("shift", "average_v", "average_a")
 _NO_EXTREMES = (*NATURAL, "x", "y", "angle", "abs", "sense")  # components of which no extreme is asked
 
 
@@ -94,6 +96,16 @@ def quantity_names(scene: Scene) -> list[str]:
     return names + [f"mu_{body}" for body in scene.bodies]
 
 
+def interval_names(scene: Scene) -> list[str]:
+    """Names of what can be asked of the interval of time of a scene: ways, means, extremes, instants; none without."""
+    of_point = ("way_{}", "shift_{}", "average_v_{}", "mean_t_v_{}", "max_t_v_{}", "t_max_v_{}", "t_zero_v_{}")
+    of_body = ("turned_{}", "mean_t_omega_{}", "max_t_omega_{}", "t_max_omega_{}", "t_zero_omega_{}")
+    if scene.course is None:
+        return []
+    found = [name.format(point) for point in _moving_points(scene) for name in (*of_point, "t_back_{}")]
+    return found + [name.format(body) for body in scene.bodies for name in of_body]
+
+
 def _moving_points(scene: Scene) -> list[str]:
     moving = {p for members in scene.bodies.values() for p in members}
     moving |= {p for c in scene.constraints for shape in c.shapes() for p in shape.points}
@@ -119,6 +131,8 @@ def _is_further(quantity: Quantity, scene: Scene) -> bool:
             return _is_position(quantity, scene)
         case "turn":
             return crank_of(scene) is not None and _has_turn(quantity, scene)
+        case "course":
+            return scene.course is not None and _has_course(quantity, scene)
     return False
 
 
@@ -155,6 +169,20 @@ def _has_turn(quantity: Quantity, scene: Scene) -> bool:
     return not quantity.component and quantity.target in movers.get(quantity.kind, {*movers["stroke"], *scene.bodies})
 
 
+def _has_course(quantity: Quantity, scene: Scene) -> bool:
+    """Whether a scene that moves for an interval of time has what is asked of it."""
+    of, component = quantity.of_instant, quantity.component
+    if of is not None:
+        known = of.name in quantity_names(scene) or _is_further(of, scene)
+        moves = of.group != "position" or bool({*of.points(scene.points)} & {*_moving_points(scene)})
+        is_part = component in ("x", "y") and quantity.kind.startswith(ZERO)
+        return known and moves and not of.line and (is_part or component not in _NO_EXTREMES)
+    if quantity.is_turning:
+        return quantity.target in scene.bodies and not component
+    parts = ("", "x", "y", "angle") if quantity.kind in _VECTORS_OF_INTERVAL else ("",)
+    return quantity.target in _moving_points(scene) and component in parts
+
+
 def _of_crank(quantity: Quantity, scene: Scene) -> str:
     """Why a quantity of the crank itself is none of a turn: no limit positions, or a rate that stays; "" for others."""
     crank = crank_of(scene)
@@ -188,13 +216,20 @@ _LENGTHS = ("z", "s", "l", "r")
 def _for_turn(quantity: Quantity, scene: Scene) -> str:
     """What an extreme, a mean value or a stroke needs."""
     if crank_of(scene) is None:
-        return "values of a turn need one driver that rotates a body about a fixed point"
+        return f"values of a turn need one driver that rotates a body about a fixed point; {_for_interval(scene)}"
     if quantity.order == 2 and not is_steady(scene):
         return "accelerations over a turn are those of a constant angular velocity: leave epsilon of the driver out"
     return (
         "write max_, min_, phi_max_, phi_min_ before v_B, a_B, omega_AB, epsilon_AB, x_B, y_B, angle_O.A.B, "
         "distance_A.B; mean_v_B, mean_omega_AB; stroke_B, swing_BC, time_ratio_B"
     )
+
+
+def _for_interval(scene: Scene) -> str:
+    """What a value of an interval of time needs."""
+    names = "max_t_v_B, min_t_x_B, mean_t_v_B, t_max_v_B, t_zero_v_B, t_back_B, way_B, shift_B, turned_AB, average_v_B"
+    stated = "" if scene.course else ", and state the interval in [laws]: interval = [0, 3]"
+    return f"of an interval of time write {names}{stated}"
 
 
 def _bodies_with(target: str, scene: Scene) -> list[str]:
@@ -221,6 +256,8 @@ def _proposed(text: str, quantity: Quantity | None, scene: Scene, known: Sequenc
     if quantity is not None and quantity.group == "rope":
         pieces = [".".join((ROPE, *piece.ends)) for piece in rope_pieces(scene)]
         return "a rope runs straight between: " + ", ".join(pieces) if pieces else "there is no rope"
+    if quantity is not None and quantity.is_of_interval:
+        return _for_interval(scene)
     if quantity is not None and quantity.is_of_turn:
         return _for_turn(quantity, scene)
     if letter in _ANGLES or letter == "angle":

@@ -24,7 +24,7 @@ from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import is_quantity, quantity_names
 from variantgen.families.reading.driven_laws import check_driven, with_accelerations
 from variantgen.families.reading.implied import with_blocks, with_stations
-from variantgen.families.reading.law_reader import read_laws
+from variantgen.families.reading.law_reader import check_interval, read_interval, read_laws
 from variantgen.families.reading.soundness import check_constants
 from variantgen.families.templates import TemplateReader
 from variantgen.limits import DERIVED, GRID, PARAMETERS, PARTS
@@ -79,7 +79,9 @@ class FormReader:
         self.kinds = {name: kind_of_parameter(parameter) for name, parameter in self.parameters.items()}
         self._read_derived(self.top.table("derived"))
         known = len(self.problems)
-        self.laws = read_laws(self, self.top.table("laws"), self.top.data, self._length)
+        laws = self.top.table("laws")
+        self.laws = read_laws(self, laws, self.top.data, self._length)
+        interval = read_interval(laws, self._templates.quantity)
         if len(self.problems) > known:  # what uses a wrong law would only repeat that it is unknown
             return None
         points = self._templates.points(self.top.table("points"))
@@ -128,12 +130,15 @@ class FormReader:
             self.laws,
             nouns=nouns,
             machine=machine,
+            interval=interval,
         )
         with self.top.collecting(""):
             check_constants(form)
             _ = form.plan
             if self.laws:
                 check_driven(form, self.top.data["laws"]["time"])
+            if interval:
+                check_interval(form)
             self._check_ask(form)
         return form if len(self.problems) == before else None
 

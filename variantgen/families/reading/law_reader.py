@@ -5,16 +5,22 @@ A law may use other laws, whichever stands first in the file.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from decimal import Decimal
 from typing import Any, Protocol
 
+import numpy as np
+
+from variantgen.errors import InputError, Problem
+from variantgen.families.course import Interval
+from variantgen.families.family import Form
 from variantgen.families.parameters.dimensions import Dimension
 from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.families.parameters.laws import Law, PlainLaws, fed_measures, split_law
 from variantgen.families.parameters.units import Unit
 from variantgen.tables import Table
 
-_OWN = ("time",)  # keys of the table that are no laws
+_OWN = ("time", "interval")  # keys of the table that are no laws
 _Stated = tuple[FamilyExpression, Unit | None]  # a law as it is written, and the unit beside it
 
 
@@ -48,6 +54,7 @@ def read_laws(form: Definitions, table: Table, scene: Mapping[str, Any], length:
     if form.dimensions.get(time) != (0, 1):
         table.problem("expected the name of a parameter that is a time", "time", time, 'give it the unit "s"')
         return {}
+    table.expect(*_OWN)
     # What depends on the time through other names is written out, so that it is differentiated too.
     moving: dict[str, FamilyExpression] = {}
     for name, expression in form.derived.items():
@@ -88,3 +95,36 @@ def _in_order(laws: dict[str, _Stated]) -> Iterator[tuple[str, _Stated]]:
         free = (name for name, (law, _) in laws.items() if not law.names & (laws.keys() - {name}))
         name = next(free, next(iter(laws)))
         yield name, laws.pop(name)
+
+
+def read_interval(table: Table, quantity: Callable[[str, Any], FamilyExpression]) -> Interval | None:
+    """The interval of time of the table of laws, ``[0, 3]`` in seconds or with names of times; mistakes are noted."""
+    ends = table.data.get("interval")
+    if ends is None:
+        return None
+    right = isinstance(ends, list) and len(ends) == 2
+    if not right or any(isinstance(end, bool) or not isinstance(end, int | Decimal | str) for end in ends):
+        table.problem("expected its beginning and its end", "interval", ends, 'like [0, 3] in seconds, or [0, "t"]')
+        return None
+    found: list[FamilyExpression] = []
+    for end in ends:
+        with table.collecting("interval"):
+            found.append(quantity("time", end))
+    return Interval(table.data["time"], *found) if len(found) == 2 else None
+
+
+def check_interval(form: Form) -> None:
+    """Raise InputError for an interval that ends before it begins, and for drivers whose motion in it nothing tells."""
+    assert form.interval is not None and form.sample.course is not None, "there is an interval"
+    problems: list[Problem] = []
+    if not np.all(np.less(form.sample.course.start, form.sample.course.end)):
+        stated = f"{form.interval.start.text}, {form.interval.end.text}"
+        problems.append(Problem("ends before it begins", key="laws.interval", value=stated))
+    rates = {f"{law}{dots}" for law in form.laws for dots in ("_dot", "_ddot")}
+    for i, template in enumerate(form.drivers, start=1):
+        if not template.names & rates:
+            said = "its rates are those of an instant, and the laws state an interval of time"
+            remedy = "state its motion by a law of time too"
+            problems.append(Problem(said, key=f"drivers[{i}]", remedy=remedy))
+    if problems:
+        raise InputError(problems)

@@ -8,6 +8,7 @@ from variantgen.algebra.expression import Expression, Ratio, Value
 from variantgen.algebra.name import Name
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.rope_speed import rope_piece
+from variantgen.methods.by_groups.passage_answers import passage_answer
 from variantgen.methods.by_groups.position_answers import centre_coordinate, position_answer
 from variantgen.methods.by_groups.turn_answers import turn_answer
 from variantgen.methods.by_groups.vector_answers import curvature_radius, vector_answer
@@ -40,6 +41,8 @@ def answer(book: Book, quantity: Quantity) -> Value:
             return position_answer(book, quantity)
         case "turn":
             return turn_answer(book, quantity)
+        case "course":
+            return passage_answer(book, quantity)
         case "centre angle":
             return acceleration_centre.asked_angle(book, quantity.target)
     if quantity.is_coordinate:

@@ -18,7 +18,7 @@ _TABLES = {1: "V", 2: "A"}
 def lines(model: Model, names: Mapping[Value, str]) -> list[str]:
     """One ``print`` per asked quantity of the instant: its name and its number in the printed unit."""
     writer = _Outputs(model, names)
-    return [f'print("{q.name} =", {writer.of(q)})' for q in model.task.asked if not q.is_of_turn]
+    return [f'print("{q.name} =", {writer.of(q)})' for q in model.task.asked if q.is_of_instant]
 
 
 def constants(model: Model) -> Iterator[tuple[str, float]]:
