@@ -114,7 +114,18 @@ def _planet_between() -> dict[str, float]:
     return {"omega_planet": (ring - sun) / 40, "omega_arm": (ring + sun) / 2 / 60}
 
 
+def _belt_over_four() -> dict[str, float]:
+    rim = 300 * 15  # rpm cm; the last pulley lies on the other side of the belt
+    return {
+        "omega_B": rim / 10,
+        "omega_C": rim / 20,
+        "omega_D": -rim / 5,
+        "v_rope.P.Q": rim * pi / 30 / 100,
+    }
+
+
 KINDS = {
+    "belt_over_four": _belt_over_four,
     "crossed_belt": lambda: {"omega_B": -300 * 15 / 25, "v_rope.O.C": 300 * pi / 30 * 0.15},  # no point moves
     "planet_between": _planet_between,
     "epicyclic_belt": _epicyclic,
