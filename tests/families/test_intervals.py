@@ -255,3 +255,49 @@ def test_everything_of_an_interval(tmp_path, capsys):
     found = {item["quantity"]: item["value"] for item in json.loads(capsys.readouterr().out)["all"]}
     names = ["way_M", "shift_M", "max_t_v_M", "t_max_v_M", "t_zero_v_M", "t_back_M"]
     assert {name: found[name] for name in names} == pytest.approx({name: ON_LINE[name] for name in names})
+
+
+RADAR = """
+length_unit = "m"
+[parameters]
+t = { unit = "s", values = [4] }
+[laws]
+time = "t"
+h = "3*t^2"
+interval = [0, 8]
+[points]
+C = { coordinates = { x = 0, y = 0 } }
+R = { coordinates = { x = 40, y = "h" } }
+S = "R"
+[bodies]
+CR = ["C", "S"]
+[[joints]]
+pivot = { point = "C" }
+[[joints]]
+guide = { point = "R", angle = 90 }
+[[joints]]
+slot = { point = "R", body = "CR", along = ["C", "S"] }
+[[drivers]]
+travel = { point = "R", v = "h_dot", angle = 90 }
+"""
+
+
+def test_places_of_bodies_that_are_named_anew_at_every_instant(tmp_path, capsys):
+    """The angle arctan(h / 40) of a slotted arm; the contact of a wheel of 0.5 m that rolls 3 m and back 1 m."""
+    found = _answers(RADAR, ["turned_CR", "t_max_omega_CR", "max_t_a_R"], tmp_path, capsys)
+    expected = {"turned_CR": math.degrees(math.atan(192 / 40)), "t_max_omega_CR": (1600 / 27) ** 0.25, "max_t_a_R": 6}
+    assert found == pytest.approx(expected)
+    wheel = LINE.replace('M = { coordinates = { x = "x", y = 0 } }', WHEEL).replace(
+        '[[joints]]\nguide = { point = "M" }', '[[joints]]\nrolling = { body = "w", centre = "M", contact = "P" }'
+    )
+    wheel = wheel.replace("t^3 - 6*t^2 - 15*t + 40", "4*t - t^2").replace("[0, 10]", "[0, 3]")
+    wheel = wheel.replace("[[joints]]", '[bodies]\nw = ["M", "P"]\n[[joints]]')
+    found = _answers(wheel, ["turned_w", "way_M", "max_t_a_P"], tmp_path, capsys)
+    expected = {"turned_w": -math.degrees(3 / 0.5), "way_M": 5, "max_t_a_P": 4**2 / 0.5}
+    assert found == pytest.approx(expected)
+
+
+WHEEL = """
+M = { coordinates = { x = "x", y = 0.5 } }
+P = { coordinates = { x = "x", y = 0 } }
+"""

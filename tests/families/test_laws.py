@@ -340,3 +340,13 @@ def test_a_coordinate_that_a_law_tells_is_not_told_as_a_number(
     given, _, _ = capsys.readouterr().out.partition("Key")
     assert "y_A = 0\N{NO-BREAK SPACE}m" in given
     assert "x_A = 1" not in given
+
+
+def test_a_rigid_body_of_changing_length_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "scene.toml"
+    text = SPINDLE.replace('distance = "r"', 'distance = "s"').replace("[laws]", '[laws]\ns = "100 + 50 * t"')
+    path.write_text(text, encoding="utf-8")
+    assert main(["solve", str(path)]) == 2
+    said = capsys.readouterr().err
+    assert "OA is rigid, and the distance of its points O and A changes (got s)" in said
+    assert 'S = "A"' in said

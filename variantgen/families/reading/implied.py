@@ -49,7 +49,7 @@ def with_stations(
 
 def _between_drums(item: ComponentTemplate) -> list[ComponentTemplate]:
     """A rope in parts from body to body that it turns; any other joint as it is."""
-    path = item.fields.get("path", ()) if item.component is Rope else ()
+    path: tuple[ComponentTemplate, ...] = item.fields.get("path", ()) if item.component is Rope else ()
     drums = [k for k in range(1, len(path) - 1) if path[k].fields.get("body")]
     if not drums:
         return [item]

@@ -22,6 +22,7 @@ from variantgen.mechanism.turn.polynomials import DEGREE, NODES, SLOPE_AT_NODES,
 _COUNTS = (8, 32, 128, 512)  # pieces of the interval
 _LEFT_OUT = 1e-10  # of the largest: the last two coefficients of a polynomial that leaves nothing out
 _AGREES = 1e-6  # of the largest: a derivative that is the same, but for rounding
+_ALWAYS = 0.9  # of the instants
 _NOTHING = 1e-12  # m, m/s, rad/s and so on: rounding about zero
 _AT = DEGREE + 1
 
@@ -117,10 +118,26 @@ def _is_resolved(pieces: Pieces, order: int) -> NDArray[np.bool_]:
         rate = SLOPE_AT_NODES.T / pieces.half[:, None, None]
         for before, after in [(motion.z, motion.v), *([(motion.v, motion.a)] if order > 1 else [])]:
             moving = {name: before[name] for name in after}
-            found &= _within(_stacked(moving, shape) @ rate - (right := _stacked(after, shape)), _AGREES, right)
+            found &= _is_derivative(_stacked(moving, shape) @ rate, _stacked(after, shape))
         if order > 1:
-            right = _stacked(motion.epsilon, shape)
-            found &= _within(_stacked(motion.omega, shape) @ rate - right, _AGREES, right)
+            turning = _stacked(motion.omega, shape) @ rate
+            found &= _within(turning - (right := _stacked(motion.epsilon, shape)), _AGREES, right)
+    return found
+
+
+def _is_derivative(changes: ComplexField, vectors: ComplexField) -> NDArray[np.bool_]:
+    """Whether vectors of points, shape (points, n, count, nodes), are how these change, shape (n,).
+
+    The contact of a wheel, the place of a slotted body under a pin are named anew at every instant, and never change as
+    the point of the body does that is there: they tell nothing, and one point at least has to.
+    """
+    largest = np.max(np.abs(vectors), axis=(0, 2, 3), initial=0.0)
+    allowed = (_AGREES * largest + _NOTHING)[:, None, None]
+    off = np.abs(changes - vectors) > allowed
+    is_renamed = np.mean(off, axis=(2, 3)) > _ALWAYS
+    moves = np.max(np.abs(vectors), axis=(2, 3)) > allowed[:, 0, 0]
+    shown = np.any(moves & ~is_renamed, axis=0) | ~np.any(moves, axis=0)
+    found: NDArray[np.bool_] = shown & ~np.any(off & ~is_renamed[..., None, None], axis=(0, 2, 3))
     return found
 
 

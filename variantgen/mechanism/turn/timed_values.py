@@ -20,6 +20,7 @@ Scalar = Callable[[Motion, NDArray[np.intp]], Field]  # of a motion (M,) with th
 _SAME = 1e-9  # relative: of two equally large values the first counts
 _CONSTANT = 1e-9  # relative range of what does not change
 _ZERO = 1e-6  # of the largest value: less is zero
+_ROUNDING = 1e-12  # of the way there and back: less is no change
 _LATER = 1e-6  # of the interval: so long after its beginning an instant is another one
 _NEAR = 1e-5  # of the interval: about a zero, within which the quantity is a straight line
 _GAUSS, _WEIGHTS = np.polynomial.legendre.leggauss(20)
@@ -127,7 +128,9 @@ def turned(timed: TimedMotion, body: str) -> Field:
     for pieces, table in _tables(timed, lambda motion, _: motion.omega[body]):
         parts = pieces.coefficients(table)[..., ::2]  # the integrals of odd ones vanish
         even = np.arange(parts.shape[-1]) * 2
-        total[pieces.variants] = np.sum(parts @ (2.0 / (1.0 - even**2)), axis=1) * pieces.half
+        angles = (parts @ (2.0 / (1.0 - even**2))) * pieces.half[:, None]
+        whole, way = np.sum(angles, axis=1), np.sum(np.abs(angles), axis=1)
+        total[pieces.variants] = np.where(np.abs(whole) <= _ROUNDING * way, 0.0, whole)
     return total
 
 
