@@ -227,9 +227,18 @@ def test_variants_of_a_scene_with_an_interval(tmp_path):
     found = variantgen.batch(path, 40, seed=1, ask=["way_A", "turned_AB", "t_zero_v_B"])
     lengths = found.table()["OA"]
     assert found.answers["way_A"] == pytest.approx(8 * lengths)
-    turned = np.degrees(np.arcsin(lengths * math.sin(8) / 80))  # the other way round in the mirror
-    assert np.abs(found.answers["turned_AB"]) == pytest.approx(turned)
+    assert found.answers["turned_AB"] == pytest.approx(np.degrees(-np.arcsin(lengths * math.sin(8) / 80)))
     assert found.answers["t_zero_v_B"] == pytest.approx(np.full(40, math.sqrt(2 * math.pi)))
+
+
+def test_what_a_law_tells_by_the_axes_is_not_reflected(tmp_path):
+    """The page says that phi is the angle of OA with the axis x; without a law the scene may be reflected."""
+    path = _file(FAMILY, tmp_path)
+    assert set(np.sign(variantgen.batch(path, 40, seed=1, ask=["turned_OA"]).answers["turned_OA"])) == {1.0}
+    plain = FAMILY.partition("[laws]")[0] + "[points]" + FAMILY.partition("[points]")[2]
+    path = _file(plain.replace('angle = "phi"', "angle = 70").replace('"phi_dot"', "2"), tmp_path)
+    found = variantgen.batch(path, 40, seed=1, ask=["v_A.x"]).answers["v_A.x"]
+    assert set(np.sign(found)) == {-1.0, 1.0}
 
 
 def test_an_exam_with_an_interval(tmp_path, capsys):

@@ -15,9 +15,12 @@ from numpy.typing import NDArray
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.family import ComponentTemplate, Form
+from variantgen.families.parameters.draw_rules import Pose
 from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.mechanism.arithmetic import Complex, Real
 from variantgen.mechanism.component import field_specs
+from variantgen.mechanism.constructions.coordinates import Coordinates
+from variantgen.mechanism.constructions.polar import Polar
 from variantgen.mechanism.rows import Placement
 from variantgen.mechanism.scene import Scene
 from variantgen.mechanism.solving.solve import place
@@ -51,6 +54,19 @@ def with_accelerations(
         return replace(template, fields={**added, **template.fields})
 
     return tuple(map(whole, drivers))
+
+
+def as_written(form: Form) -> Form:
+    """The form of a scene, never reflected or turned where its laws tell places and directions by the axes x and y."""
+    by_axes = {Coordinates: ("x", "y"), Polar: ("angle",)}
+    told = [
+        template.fields.get(field)
+        for template in form.points.values()
+        for field in by_axes.get(template.component, ())
+        if "towards" not in template.fields
+    ]
+    by_law = any(item.names & form.laws.keys() for item in told if isinstance(item, FamilyExpression))
+    return replace(form, pose=Pose(mirror=False)) if by_law else form
 
 
 def check_driven(form: Form, time: str) -> None:
