@@ -117,6 +117,11 @@ def way(timed: TimedMotion, speed: Scalar) -> Field:
     return total
 
 
+def way_of(timed: TimedMotion, point: str) -> Field:
+    """The length (m) of the way of a point, shape (N,)."""
+    return way(timed, lambda motion, _: np.abs(motion.v[point]))
+
+
 def mean(timed: TimedMotion, speed: Scalar) -> Field:
     """The mean of a magnitude over the interval, shape (N,)."""
     return way(timed, speed) / np.where(timed.complete, timed.duration, 1.0)
@@ -139,6 +144,12 @@ def change(timed: TimedMotion, vectors: Callable[[Motion], ComplexField]) -> Com
     every = np.arange(timed.size)
     first, last = (vectors(timed.at(every, times)) for times in (timed.start, timed.end))
     found: ComplexField = np.where(timed.complete, last - first, np.inf)
+    return found
+
+
+def change_per_second(timed: TimedMotion, vectors: Callable[[Motion], ComplexField]) -> ComplexField:
+    """The change of a vector through the length of the interval, shape (N,)."""
+    found: ComplexField = change(timed, vectors) / np.where(timed.complete, timed.duration, 1.0)
     return found
 
 
