@@ -25,6 +25,7 @@ _AGREES = 1e-6  # of the largest: a derivative that is the same, but for roundin
 _ALWAYS = 0.9  # of the instants
 _NOTHING = 1e-12  # m, m/s, rad/s and so on: rounding about zero
 _AT = DEGREE + 1
+_ROWS = 40_000  # instants that are solved at once
 
 
 @dataclass(frozen=True)
@@ -79,12 +80,21 @@ class TimedMotion:
         self.complete = np.zeros(motion.size, dtype=bool)
         left = np.flatnonzero(motion.solved & (self.end > self.start))
         for count in _COUNTS:
-            if left.size:
-                pieces = self._pieces(left, count)
-                good = _is_resolved(pieces, self.order)
-                self.complete[left[good]] = True
-                self.parts.append(pieces.take(good))
-                left = left[~good]
+            chunks = np.array_split(left, max(1, -(-left.size * count * _AT // _ROWS)))
+            left = np.concatenate([self._divide(chunk, count) for chunk in chunks])
+
+    def _divide(self, variants: NDArray[np.intp], count: int) -> NDArray[np.intp]:
+        """Keep the motion of those of the variants that so many pieces resolve; those that need more."""
+        if not variants.size:
+            return variants
+        pieces = self._pieces(variants, count)
+        moves = np.all(pieces.motion.solved.reshape(len(variants), -1), axis=1)
+        good = moves & _is_resolved(pieces, self.order)
+        self.complete[variants[good]] = True
+        if np.any(good):
+            self.parts.append(pieces.take(good))
+        rest: NDArray[np.intp] = variants[moves & ~good]
+        return rest
 
     @property
     def duration(self) -> Field:
@@ -108,7 +118,7 @@ def _is_resolved(pieces: Pieces, order: int) -> NDArray[np.bool_]:
     """Whether polynomials resolve the motion of each variant, and each order is the derivative of the one before."""
     motion = pieces.motion
     shape = (len(pieces.variants), pieces.count, _AT)
-    found: NDArray[np.bool_] = np.all(motion.solved.reshape(shape), axis=(1, 2))
+    found = np.ones(shape[0], dtype=bool)
     tables = [_stacked(motion.v, shape), _stacked(motion.omega, shape)]
     tables += [_stacked(motion.a, shape), _stacked(motion.epsilon, shape)] if order > 1 else []
     with np.errstate(all="ignore"):
