@@ -59,13 +59,13 @@ def with_accelerations(
 def as_written(form: Form) -> Form:
     """The form of a scene, never reflected or turned where its laws tell places and directions by the axes x and y."""
     by_axes = {Coordinates: ("x", "y"), Polar: ("angle",)}
-    told = [
+    stated = [
         template.fields.get(field)
         for template in form.points.values()
         for field in by_axes.get(template.component, ())
         if "towards" not in template.fields
     ]
-    by_law = any(item.names & form.laws.keys() for item in told if isinstance(item, FamilyExpression))
+    by_law = any(item.names & form.laws.keys() for item in stated if isinstance(item, FamilyExpression))
     return replace(form, pose=Pose(mirror=False)) if by_law else form
 
 
