@@ -87,7 +87,7 @@ def test_the_document_of_a_family(capsys):
 def test_values_of_a_turn_that_are_asked_by_themselves_are_listed(capsys):
     assert main(["list", "limit_positions"]) == 0
     lines = [line.split() for line in capsys.readouterr().out.splitlines()]
-    assert [line[:2] for line in lines if "stroke_B" in line] == [["*", "stroke_B"]]
+    assert sum(line[:2] == ["*", "stroke_B"] for line in lines) == 1
     assert [line[-1] for line in lines if line[1:2] == ["stroke_B"]] == ["cm"]
     assert [line[-1] for line in lines if line[1:2] == ["swing_BC"]] == ["deg"]
 

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from variantgen.families.parameters.units import Unit, unit
-from variantgen.families.quantities import Quantity, motion_order, split_name
+from variantgen.families.quantities import Quantity, interval_names, motion_order, split_name
 from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.relative import relative_motion
@@ -49,6 +49,7 @@ class ResultTable:
 def all_values(variant: Variant) -> list[dict[str, Any]]:
     """Every quantity that can be asked, with its value in its printed unit (None: infinite), as plain data."""
     asked, motion = _asked(variant), _motion(variant)
+    asked += [split_name(name) for name in interval_names(motion.scene)]
     return [_value(quantity, motion, variant.family.length_unit) for quantity in asked]
 
 
@@ -56,6 +57,7 @@ def everything(variant: Variant) -> list[ResultTable]:
     """The tables of a variant that can be solved."""
     motion, length = _motion(variant), variant.family.length_unit
     others = [_value(q, motion, length) for q in _asked(variant) if q.kind not in _IN_TABLES]
+    others += [_value(split_name(name), motion, length) for name in interval_names(motion.scene)]
     found = [_points(motion, length), _paths(motion, length), _bodies(motion, length), _relative(motion, length)]
     found += [
         ResultTable(

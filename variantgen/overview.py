@@ -21,9 +21,12 @@ from variantgen.wording.language import Language
 _POINTS = 10
 # Names with points p, q, r and bodies b, c.
 _PATTERNS = (
+    "v_{p}_{q}", "a_{p}_{q}.x",
     "x_{p}", "y_{p}", "angle_{p}{q}", "angle_{p}.{q}.{r}", "distance_{p}.{q}", "v_{p}.along_{q}{r}",
     "v_{p}.across_{q}{r}", "a_{p}.t", "a_{p}.n", "rho_{p}", "ratio_{b}.{c}", "P_{b}.x", "Q_{b}.y",
-    "v_rope.{p}.{q}",
+    "v_rope.{p}.{q}", "max_v_{p}", "min_omega_{b}", "phi_max_x_{p}", "mean_v_{p}", "stroke_{p}", "swing_{b}",
+    "time_ratio_{p}", "max_t_v_{p}", "t_max_v_{p}", "t_zero_v_{p}", "t_back_{p}", "way_{p}", "shift_{p}.x",
+    "average_v_{p}", "turned_{b}",
 )  # fmt: skip
 
 
@@ -94,10 +97,11 @@ def _described(quantity: Quantity, family: Family, form: Form, language: Languag
 def _likewise(form: Form) -> Iterator[Quantity]:
     """One quantity of each kind of which there are too many to name all: made of others, or of positions alone."""
     points, bodies = list(form.points), list(form.bodies)
+    asked = {quantity.whole for quantity in read_ask(form)}  # these are listed by themselves
     for pattern in _PATTERNS:
         found = (_quantity(form, name) for name in _filled(pattern, points, bodies))
         first = next((quantity for quantity in found if quantity is not None), None)
-        if first is not None:
+        if first is not None and first not in asked:
             yield first
 
 

@@ -28,13 +28,16 @@ DIMENSIONS = {"OA": (1, 0), "phi": (0, 0), "omega": (0, -1)}
         ("min(OA, 30*cm)", 0.3),
         ("atan2(3, 4) / deg", math.degrees(math.atan2(3, 4))),
         ("abs(-OA)", 0.5),
+        ("exp(-2 * phi) + ln(OA / (1 * cm))", math.exp(-0.6) + math.log(50)),
     ],
 )
 def test_values(text: str, value: float) -> None:
     assert parse(text).value({"OA": 0.5, "phi": 0.3}) == pytest.approx(value)
 
 
-@pytest.mark.parametrize("text", ["sqrt(-1.0)", "1 / 0", "1 / (OA - OA)", "acos(3)", "asin(-7)"])
+@pytest.mark.parametrize(
+    "text", ["sqrt(-1.0)", "1 / 0", "1 / (OA - OA)", "acos(3)", "asin(-7)", "exp(1000)", "ln(0)", "ln(-1)"]
+)
 def test_no_value_is_nan_or_raises(text: str) -> None:
     assert np.all(np.isfinite(parse(text).value({"OA": np.array([1.0, 2.0])})))
 

@@ -26,10 +26,12 @@ SMOOTH = [
     "asin(t / 3) * acos(k * t / 9)",
     "-(t - 1)**3 * R",
     "R",
+    "R * (1 - exp(-k * t)) + ln(1 + t**2)",
+    "exp(-t**2) * sin(3 * t)",
 ]
 BY_MPMATH = {
     "sin": mpmath.sin, "cos": mpmath.cos, "tan": mpmath.tan, "asin": mpmath.asin, "acos": mpmath.acos,
-    "atan": mpmath.atan, "sqrt": mpmath.sqrt,
+    "atan": mpmath.atan, "sqrt": mpmath.sqrt, "exp": mpmath.exp, "ln": mpmath.log,
 }  # fmt: skip
 
 
@@ -243,3 +245,108 @@ def test_an_acceleration_that_is_left_out_follows_from_the_law(
     said = capsys.readouterr().out
     # s' = 3 t^2 - 12 t - 15, s'' = 6 t - 12, at 10 s
     assert "v_B = 165 ft/s\n" in said and "a_B = 48 ft/s^2\n" in said
+
+
+MOWER = """
+length_unit = "mm"
+ask = ["v_M", "a_M", "rho_M"]
+[parameters]
+t = { unit = "s", values = [2] }
+[laws]
+time = "t"
+y = "x^2 / 160 + 3"
+x = "50 * t"
+[points]
+M = { coordinates = { x = "x", y = "y" } }
+[[drivers]]
+travel = { point = "M", v = "x_dot", a = "x_ddot" }
+[[drivers]]
+travel = { point = "M", v = "y_dot", a = "y_ddot", angle = 90 }
+"""
+
+
+def _answers(path: Path, capsys: pytest.CaptureFixture[str]) -> dict[str, float]:
+    assert main(["solve", str(path), "--json"]) == 0, capsys.readouterr().err
+    return {answer["quantity"]: answer["value"] for answer in json.loads(capsys.readouterr().out)["answers"]}
+
+
+def test_a_law_names_another_one(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """On y = x^2 / 160: y' = x x' / 80 = 62.5, y'' = x'^2 / 80, rho = (1 + (x / 80)^2)^1.5 * 80 at x = 100."""
+    path = tmp_path / "scene.toml"
+    path.write_text(MOWER, encoding="utf-8")
+    expected = {"v_M": math.hypot(50, 62.5), "a_M": 2500 / 80, "rho_M": 80 * (1 + (100 / 80) ** 2) ** 1.5}
+    assert _answers(path, capsys) == pytest.approx(expected)
+    for unit, factor in (("cm", 10), ("mm", 1)):
+        beside = f'{{ law = "x^2 / 160 + 3", unit = "{unit}" }}'
+        path.write_text(MOWER.replace('"x^2 / 160 + 3"', beside), encoding="utf-8")
+        assert _answers(path, capsys)["a_M"] == pytest.approx(factor * 2500 / 80)
+    assert main(["show", str(path), "--explain"]) == 0
+    out = capsys.readouterr().out.replace("\N{NO-BREAK SPACE}", " ")
+    assert "y_M = y = (x^2 / 160 + 3) mm" in out
+    assert "125 t / 4 = 125 · 2 / 4 = 62.5 mm/s" in out
+    path.write_text(MOWER.replace("50 * t", "50 * t + y"), encoding="utf-8")
+    assert main(["solve", str(path)]) == 2  # in a circle
+    assert "unknown name" in capsys.readouterr().err
+
+
+SPINDLE = """
+length_unit = "mm"
+ask = ["omega_OA", "epsilon_OA", "a_A", "x_A"]
+[parameters]
+t = { unit = "s", values = [0.5] }
+r = { unit = "mm", values = [200] }
+[laws]
+time = "t"
+phi = "10 * (t + 0.5 * (exp(-2 * t) - 1))"
+[points]
+O = { coordinates = { x = 0, y = 0 } }
+A = { polar = { origin = "O", distance = "r", angle = "phi" } }
+[bodies]
+OA = ["O", "A"]
+[[joints]]
+pivot = { point = "O" }
+[[drivers]]
+rotation = { body = "OA", omega = "phi_dot" }
+"""
+
+
+@pytest.mark.parametrize("language", ["en", "ru"])
+def test_a_law_with_an_exponential_function(language: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A spindle that comes up to 10 rad/s: omega = 10 (1 - e^(-2t)), epsilon = 20 e^(-2t)."""
+    path = tmp_path / "scene.toml"
+    path.write_text(SPINDLE, encoding="utf-8")
+    omega, epsilon = 10 * (1 - math.exp(-1)), 20 * math.exp(-1)
+    phi = 10 * (0.5 + 0.5 * (math.exp(-1) - 1))
+    assert _answers(path, capsys) == pytest.approx(
+        {
+            "omega_OA": omega,
+            "epsilon_OA": epsilon,
+            "a_A": 200 * math.hypot(omega**2, epsilon),
+            "x_A": 200 * math.cos(phi),
+        }
+    )
+    assert main(["show", str(path), "--explain", "--lang", language]) == 0
+    out = capsys.readouterr().out.replace("\N{NO-BREAK SPACE}", " ")
+    assert "= 10 · (1 − exp(−2 t)) = 10 · (1 − exp(−2 · 0" in out
+    assert main(["solve", str(path), "--explain", "--method", "coordinates"]) == 0
+
+
+def test_a_coordinate_that_a_law_tells_is_not_told_as_a_number(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "scene.toml"
+    path.write_text(LADDER.replace('ask = ["v_B"', 'ask = ["x_A", "v_B"'), encoding="utf-8")
+    assert main(["show", str(path)]) == 0, capsys.readouterr().err
+    given, _, _ = capsys.readouterr().out.partition("Key")
+    assert "y_A = 0\N{NO-BREAK SPACE}m" in given
+    assert "x_A = 1" not in given
+
+
+def test_a_rigid_body_of_changing_length_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "scene.toml"
+    text = SPINDLE.replace('distance = "r"', 'distance = "s"').replace("[laws]", '[laws]\ns = "100 + 50 * t"')
+    path.write_text(text, encoding="utf-8")
+    assert main(["solve", str(path)]) == 2
+    said = capsys.readouterr().err
+    assert "OA is rigid, and the distance of its points O and A changes (got s)" in said
+    assert 'S = "A"' in said

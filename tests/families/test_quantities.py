@@ -21,10 +21,10 @@ from variantgen.outputs.single.explanation import explain
 from variantgen.single import one_variant
 from variantgen.testing.linkages import four_bar, slider_crank
 from variantgen.variants.draw import draw
+from variantgen.wording.answer_notes import answer_notes
 from variantgen.wording.formula import to_plain, to_typst
 from variantgen.wording.language import load_language
 from variantgen.wording.plain import plain_problem
-from variantgen.wording.statement import answer_notes
 
 V, A = 3.0 - 4.0j, 2.0 + 1.0j
 SCENE = plate(-2.0, 3.0, V, A)

@@ -24,10 +24,10 @@ from variantgen.figure.graph import grid, rate_graph, turn_curve
 from variantgen.outputs.documents.sheet_data import sheet_notes
 from variantgen.outputs.formats import read_exam
 from variantgen.single import one_variant
+from variantgen.wording.answer_notes import answer_notes
 from variantgen.wording.formula import to_plain
 from variantgen.wording.graph_words import read_off
 from variantgen.wording.language import load_language
-from variantgen.wording.statement import answer_notes
 
 DATA = {"OA": 20, "AB": 60, "phi": 60, "omega_OA": 3}
 

@@ -31,6 +31,8 @@ _OUTER: dict[str, Callable[[Expression], Expression]] = {
     "arcsin": lambda u: _ONE / SquareRoot(_ONE - u**2),
     "arccos": lambda u: -(_ONE / SquareRoot(_ONE - u**2)),
     "arctan": lambda u: _ONE / (_ONE + u**2),
+    "exp": lambda u: Applied("exp", u),
+    "ln": lambda u: _ONE / u,
 }
 
 

@@ -267,7 +267,7 @@ class Magnitude(Expression):
 
 @dataclass(frozen=True, slots=True)
 class Applied(Expression):
-    """A function of an angle in degrees, or one with such a value; data have some of two arguments: min, max, atan2."""
+    """A function of an angle in degrees, or one with such a value; of plain numbers exp, ln; of two min, max, atan2."""
 
     function: str
     argument: Expression

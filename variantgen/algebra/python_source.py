@@ -21,7 +21,7 @@ from variantgen.algebra.expression import (
 )
 from variantgen.algebra.name import Name
 
-_FUNCTIONS = {"cos": "np.cos", "sin": "np.sin", "tan": "np.tan"}
+_FUNCTIONS = {"cos": "np.cos", "sin": "np.sin", "tan": "np.tan", "exp": "np.exp", "ln": "np.log"}
 _LETTERS = {"x": "x", "y": "y", "omega": "omega", "epsilon": "epsilon", "v": "v", "a": "a", "radius": "r"}
 _KINDS = {
     "direction": "phi",

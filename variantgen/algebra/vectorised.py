@@ -26,6 +26,7 @@ from variantgen.algebra.expression import (
     Total,
     Value,
 )
+from variantgen.algebra.functions import HIGHEST
 from variantgen.algebra.linear import LinearSolution
 
 Array = NDArray[np.float64]
@@ -39,6 +40,8 @@ _FUNCTIONS: dict[str, Function] = {
     "arctan": lambda x: np.degrees(np.arctan(x)),
     "arcsin": lambda x: np.degrees(np.arcsin(np.minimum(np.maximum(x, -1.0), 1.0))),
     "arccos": lambda x: np.degrees(np.arccos(np.minimum(np.maximum(x, -1.0), 1.0))),
+    "exp": lambda x: np.exp(np.minimum(x, HIGHEST)),
+    "ln": np.log,
 }
 
 

@@ -9,6 +9,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+from variantgen.families.course import FormInTime, Interval
 from variantgen.families.figure_hints import FigureHints
 from variantgen.families.machine import Machine
 from variantgen.families.parameters.draw_rules import HandFriendly, Pose, Screens, TiedValues
@@ -75,6 +76,7 @@ class Form:
     ties: TiedValues | None = None
     nouns: Mapping[str, str] = field(default_factory=dict)  # what a body is called in a solution
     machine: Machine | None = None  # its size class; without one nothing is too large or too fast
+    interval: Interval | None = None  # of time, in which it moves by its laws
     friendly: bool = False  # only variants whose answers are short decimals or simple roots
 
     def __repr__(self) -> str:
@@ -89,14 +91,23 @@ class Form:
 
     def scene(self, values: Mapping[str, Real], on_paper: Frame | None = None) -> Scene:
         """The scene for SI values of parameters and derived quantities."""
+        frame = on_paper or Frame()
         return Scene(
             {name: template.build(values) for name, template in self.points.items()},
             self.bodies,
             tuple(template.build(values) for template in self.joints),
             tuple(template.build(values) for template in self.drivers),
-            on_paper or Frame(),
+            frame,
             tuple(template.build(values) for template in self.conditions),
+            self._course(values, frame) if self.interval else None,
         )
+
+    def _course(self, values: Mapping[str, Real], frame: Frame) -> FormInTime:
+        """The motion in the interval of time."""
+        assert self.interval is not None, "there is an interval"
+        start, end = (expression.value(values) for expression in (self.interval.start, self.interval.end))
+        parameters = {name: values[name] for name in self.parameters}
+        return FormInTime(self, self.interval.time, parameters, frame, start, end)
 
     @cached_property
     def remembered(self) -> dict[Hashable, Any]:
@@ -121,7 +132,7 @@ class Form:
         if not self.may_ask or any(fnmatchcase(quantity.name, pattern) for pattern in self.may_ask):
             return True
         sources = quantity.sources(self.sample)
-        return bool(sources) and not quantity.is_of_turn and all(self._is_determined(source) for source in sources)
+        return bool(sources) and quantity.is_of_instant and all(self._is_determined(source) for source in sources)
 
     def _is_determined(self, plain: Quantity) -> bool:
         """Whether a plain quantity is given, or ``may_ask`` allows it or another component of it."""

@@ -55,7 +55,7 @@ class LiteralDatum:
 def literal_data(form: Form) -> Iterator[LiteralDatum]:
     """The numbers of a form in the order of its file: places, conditions, joints, rates."""
     for name, template in form.points.items():
-        yield from _of_point(name, template)
+        yield from _of_point(name, template, form)
     for template in form.conditions:
         yield from _of_condition(template)
     for body, radii in literal_radii(form).items():
@@ -106,10 +106,14 @@ def rate_name(template: ComponentTemplate, field: str) -> str:
     return f"{field}_{next(value for value in fields.values() if isinstance(value, str))}"
 
 
-def _of_point(name: str, template: ComponentTemplate) -> Iterator[LiteralDatum]:
+def _of_point(name: str, template: ComponentTemplate, form: Form) -> Iterator[LiteralDatum]:
     kind = _kind(template)
-    if kind == "coordinates" and any(_literal(template, axis) is not None for axis in ("x", "y")):
-        yield LiteralDatum("place", name, "length", points=(name,))
+    if kind == "coordinates":
+        known = [axis for axis in ("x", "y") if _literal(template, axis) is not None]
+        if known and template.names & form.laws.keys():  # the law tells the other one
+            yield from (LiteralDatum(axis, name, "length", points=(name,)) for axis in known)
+        elif known:
+            yield LiteralDatum("place", name, "length", points=(name,))
     for other, length in _LINES.get(kind, ()):
         yield from _length(template, other, name, length)
     if kind == "on_body" and _literal(template, "across"):

@@ -8,7 +8,7 @@ from dataclasses import replace
 from variantgen.errors import InputError, Problem
 from variantgen.families.family import Family, Form
 from variantgen.families.quantities import parse_quantity
-from variantgen.families.quantities.kinds import MAX
+from variantgen.families.quantities.kind import MAX
 from variantgen.families.rate_graphs import with_graph
 
 

@@ -132,6 +132,7 @@ class TemplateReader:
             "velocity": f"{length}/s",
             "acceleration": f"{length}/s^2",
             "angle": "deg",
+            "time": "s",
             "angular velocity": "rad/s",
             "angular acceleration": "rad/s^2",
         }

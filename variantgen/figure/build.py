@@ -245,11 +245,15 @@ def _seeks_room(item: Constraint) -> bool:
 
 
 def _scale(places: Sequence[complex], discs: Sequence[tuple[complex, float]]) -> float:
-    """Figure units per metre, so that the mechanism fills its box in one direction."""
+    """Figure units per metre, so that the mechanism, or the way from the origin to a lone point, fills its box."""
     corners = [*places, *(c + r * d for c, r in discs for d in (1 + 1j, -1 - 1j))]
+    if len({*corners}) == 1:
+        corners.append(0j)
     width = max(c.real for c in corners) - min(c.real for c in corners)
     height = max(c.imag for c in corners) - min(c.imag for c in corners)
     limits = [limit / side for limit, side in ((_WIDE, width), (_HIGH, height)) if side]
+    if not limits:
+        return 1.0  # a point at the origin
     return min([*limits, math.sqrt(_AREA / (width * height)) if width * height else math.inf])
 
 

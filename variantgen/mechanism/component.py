@@ -45,6 +45,7 @@ DIMENSIONS: dict[str, tuple[int, int]] = {
     "angular acceleration": (0, -2),
     "velocity": (1, -1),
     "acceleration": (1, -2),
+    "time": (0, 1),
 }
 
 PointName: TypeAlias = Annotated[str, Ref("point")]

@@ -134,4 +134,5 @@ def take_scene(scene: Scene, index: NDArray[Any] | int, size: int) -> Scene:
         tuple(cut(item) for item in scene.drivers),
         cut(scene.frame),
         tuple(cut(item) for item in scene.conditions),
+        scene.course and scene.course.take(index, size),
     )

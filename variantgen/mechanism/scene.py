@@ -7,7 +7,10 @@ from dataclasses import dataclass, fields, replace
 from itertools import count
 from typing import Any, Protocol
 
-from variantgen.mechanism.arithmetic import Complex, Flags
+import numpy as np
+from numpy.typing import NDArray
+
+from variantgen.mechanism.arithmetic import Complex, Flags, Real
 from variantgen.mechanism.assembly import Condition
 from variantgen.mechanism.component import FieldSpec, field_specs, parts
 from variantgen.mechanism.outcome import Outcome
@@ -27,12 +30,35 @@ class Construction(Protocol):
         ...
 
 
+class SceneInTime(Protocol):
+    """The motion of N scenes by laws of time, in an interval of time: the scene at any of its instants."""
+
+    @property
+    def start(self) -> Real:
+        """The beginning of the interval (s), of all or of each."""
+        ...
+
+    @property
+    def end(self) -> Real:
+        """The end of the interval (s)."""
+        ...
+
+    def at(self, variants: NDArray[np.intp], times: NDArray[np.float64]) -> Scene:
+        """The scenes of variants at instants (s), shape (M,) each, as one batch."""
+        ...
+
+    def take(self, index: NDArray[Any] | int, size: int) -> SceneInTime:
+        """The variants chosen by indices, shape (K,), a mask, shape (N,), or a single number."""
+        ...
+
+
 @dataclass(frozen=True)
 class Scene:
     """Points by construction, rigid bodies as tuples of their points, joints, drivers, and the frame on paper.
 
     Numbers inside may be scalars or arrays over the batch (one entry per variant). A point that belongs to several
     bodies is a hinge of them. ``conditions`` place the points that are only said to be ``near`` somewhere.
+    ``course`` tells how it moves where laws of time say it for a whole interval.
     Names are checked when the scene is analysed (once for all batches), not when it is made.
     """
 
@@ -42,6 +68,7 @@ class Scene:
     drivers: tuple[Constraint, ...] = ()
     frame: Frame = Frame()
     conditions: tuple[Condition, ...] = ()
+    course: SceneInTime | None = None
 
     @property
     def constraints(self) -> tuple[Constraint, ...]:

@@ -62,6 +62,8 @@ class SolvedMotion:
         both = [body for body in own if name.of in bodies[body]]
         slides = [path for path in self.task.linkage.slides if path.point == name.of and path.body in own]
         paths = [path.body for path in slides]
+        if any(q.group == "difference" and q.pair == (name.of, name.about) for q in self.task.asked):
+            yield from self._difference(name, words)
         if not both and any(path.centre == name.about for path in slides):  # a rod in the place of a contact of circles
             yield self._of_a_rod(name, words)
         for body in both or paths or own:
@@ -70,6 +72,12 @@ class SolvedMotion:
             else:
                 normal, along = -(now.omega[body] ** 2) * arm, 1j * now.epsilon[body] * arm
                 yield normal if "n" in words else along if "tau" in words else normal + along
+
+    def _difference(self, name: Name, words: list[str]) -> Iterator[complex]:
+        """The vector of one point seen from another, unless it is the part of one in a rotation."""
+        table = self.task.now.v if name.kind == "v" else self.task.now.a
+        if not {"n", "tau"} & {*words}:
+            yield table[name.of] - table[name.about]
 
     def _of_a_rod(self, name: Name, words: list[str]) -> complex:
         """The vector of a point about another one to which it keeps its distance."""

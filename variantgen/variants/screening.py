@@ -134,7 +134,7 @@ def motion_screens(form: Form, motion: Motion, asked: Sequence[Quantity]) -> dic
         size = np.abs(quantity.whole.value(motion))
         scale = _scale(motion, quantity)
         clear = (size > 0) & np.isfinite(size) & _at_least(size, form.screens.trivial * scale)
-        if quantity.is_length:
+        if quantity.is_length and quantity.is_of_instant:
             clear &= size <= _FAR * scale
         found[f"{quantity.name} not trivial"] = clear
     return found | plausibility_screens(form, motion)

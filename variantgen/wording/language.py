@@ -18,6 +18,7 @@ from math import isfinite
 from variantgen.algebra.decimals import rounded, rounded_to_digits
 from variantgen.families.parameters.units import Unit
 from variantgen.families.quantities import Quantity, recorded
+from variantgen.families.quantities.interval_kinds import INSTANT_OF, ZERO
 from variantgen.families.quantities.kinds import ANGLE_OF
 from variantgen.resources import templates_dir
 from variantgen.tables import read_toml
@@ -31,6 +32,7 @@ NATURAL = {"t": "tau", "n": "n"}  # components of an acceleration along its path
 _DIRECTIONS = {"along": "∥", "across": "⟂"}  # before the letters of a line, in the index of a component
 _OF_TURN = ("max", "min", "mean")
 _TO_AND_FRO = {"stroke": "s", "swing": "psi", "time_ratio": "k"}
+_OF_INTERVAL = {"way": "s", "shift": "d", "turned": "theta", "average_v": "v", "average_a": "a", "t_back": "t"}
 _ABOUT = {"abs": "modulus", "angle": "angle", "sense": "sense"}
 _ALPHA = {"epsilon": "alpha", "alpha": "delta"}
 _DECIMALS, _DENOMINATOR = 12, 999  # digits of a quotient that does not come out, largest denominator that is printed
@@ -134,6 +136,10 @@ class Language:
         target, component = quantity.target, quantity.component
         if quantity.is_of_turn:
             return self._of_turn(quantity, bodies)
+        if quantity.is_of_interval:
+            return self._of_interval(quantity, bodies)
+        if quantity.group == "difference":
+            return self._of_pair(quantity)
         if quantity.is_centre:
             body = tuple(Index(name) for name in (bodies.get(target, target),) if name)
             if quantity.is_coordinate:
@@ -156,6 +162,14 @@ class Language:
             return SymbolProperty(_ABOUT[quantity.component], self.symbol(quantity.whole_name, bodies))
         return self.symbol(quantity.name, bodies)
 
+    def _of_pair(self, quantity: Quantity) -> Symbol | SymbolProperty:
+        """``v_B/A``, its component ``v_B/A x``, its direction."""
+        whole = Symbol(self.letter(quantity.kind), (self.relative_to(*quantity.pair),))
+        if quantity.component in _ABOUT:
+            return SymbolProperty(_ABOUT[quantity.component], whole)
+        part = on_line(quantity.component) if quantity.line else quantity.component
+        return whole._replace(index=(*whole.index, Index(part))) if part else whole
+
     def _of_turn(self, quantity: Quantity, bodies: Mapping[str, str]) -> Symbol:
         """``v_B max``, ``φ_v_B max``, ``ω_BC mean``; the letters of a stroke, a swing and a ratio of times."""
         of, words = quantity.of_instant, self.tables["index"]
@@ -167,6 +181,29 @@ class Language:
         if quantity.kind.startswith(ANGLE_OF):
             return Symbol("phi", (Index(inner.base.removeprefix(ANGLE)), *inner.index, extreme))
         return inner._replace(index=(*inner.index, extreme))
+
+    def _of_interval(self, quantity: Quantity, bodies: Mapping[str, str]) -> Symbol | SymbolProperty:
+        """``v_B max``, ``t_v_B max``, ``t_v_B 0``, ``v_B mean``, ``s_B``, ``d_B x``, ``θ_AB``, ``v_B av``, ``t_B``."""
+        of, words = quantity.of_instant, self.tables["index"]
+        if of is None:
+            letter = _OF_INTERVAL[quantity.kind]
+            index = [Index(bodies.get(quantity.target, quantity.target)), *self._average(quantity)]
+            whole = Symbol(letter, tuple(part for part in index if part.text))
+            if quantity.component == "angle":
+                return SymbolProperty("angle", whole)
+            return whole._replace(index=(*whole.index, Index(quantity.component))) if quantity.component else whole
+        inner = self.quantity(of, bodies)
+        assert isinstance(inner, Symbol)
+        if quantity.kind.startswith(ZERO):
+            return Symbol("t", (Index(inner.base), *inner.index, Index("0")))
+        extreme = Index(words[next(word for word in _OF_TURN if f"{word}_" in quantity.kind)], True)
+        if quantity.kind.startswith(INSTANT_OF):
+            return Symbol("t", (Index(inner.base.removeprefix(ANGLE)), *inner.index, extreme))
+        return inner._replace(index=(*inner.index, extreme))
+
+    def _average(self, quantity: Quantity) -> list[Index]:
+        """The index of an average vector."""
+        return [Index(self.tables["index"]["average"], True)] if quantity.kind.startswith("average") else []
 
 
 def as_fraction(value: Decimal) -> Fraction | None:

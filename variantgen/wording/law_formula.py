@@ -18,11 +18,13 @@ from variantgen.algebra.expression import (
     Total,
     Variable,
 )
+from variantgen.algebra.normal_form import signed
 from variantgen.families.family import Form
 from variantgen.families.parameters.expressions import FamilyExpression, parse
 from variantgen.families.parameters.units import UNITS, unit
 from variantgen.mechanism.constructions.coordinates import Coordinates
 from variantgen.mechanism.constructions.polar import Polar
+from variantgen.variants.variant import Variant
 from variantgen.wording.formula import (
     Absolute,
     Equation,
@@ -50,6 +52,17 @@ def law_equations(form: Form, language: Language) -> list[Equation]:
             right = Product((right, language.unit(unit(law.plain_unit))))
         found.append(Equation(_left(form, name, language), right))
     return found
+
+
+def interval_of(variant: Variant, language: Language) -> Relation:
+    """The interval of time of a variant, ``0 ≤ t ≤ 3 s``."""
+    form = variant.form
+    assert form.interval is not None, "there is an interval"
+    values = form.values({name: variant.si(name) for name in form.parameters})
+    start, end = (float(expression.value(values)) for expression in (form.interval.start, form.interval.end))
+    time = language.symbol(form.interval.time, form.symbols)
+    last = Measured(_number(end, language), language.unit(unit("s")))
+    return Relation((_number(start, language), time, last), ("≤", "≤"))
 
 
 def _left(form: Form, law: str, language: Language) -> Formula:
@@ -81,6 +94,10 @@ def _formula(item: Expression, language: Language, symbols: Mapping[str, str]) -
             return language.unit(unit(name)) if name in UNITS and name != "in" else language.symbol(name, symbols)
         case Total(terms):
             return Sum(tuple((sign, of(term)) for sign, term in terms))
+        case Times((first, *others)) if (found := signed(first))[0] < 0:
+            return Sum(((-1, of(Times((found[1], *others)))),))
+        case Ratio(above, below) if (found := signed(above))[0] < 0:
+            return Sum(((-1, of(Ratio(found[1], below))),))
         case Times((Constant(value), Variable(name))) if name in UNITS:
             return Measured(_number(value, language), language.unit(unit(name)))
         case Times(factors):

@@ -8,10 +8,11 @@ from collections.abc import Sequence
 from variantgen.families.parameters.units import Unit
 from variantgen.families.quantities import Quantity
 from variantgen.variants.variant import Variant
+from variantgen.wording.answer_notes import answer_notes
 from variantgen.wording.formula import Equation, Measured, Surd, to_plain
 from variantgen.wording.graph_words import read_off
 from variantgen.wording.language import Language
-from variantgen.wording.statement import answer_notes, statement
+from variantgen.wording.statement import statement
 from variantgen.wording.surds import with_surd
 
 

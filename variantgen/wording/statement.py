@@ -24,8 +24,8 @@ from variantgen.variants.variant import Variant, is_speeding_up, solve_variants
 from variantgen.wording.formula import Equation, Formula, Measured, Symbol, UnitText, letters
 from variantgen.wording.formula.tree import ANGLE
 from variantgen.wording.graph_words import graph_instant, graph_sentences
-from variantgen.wording.language import NATURAL, Language
-from variantgen.wording.law_formula import law_equations
+from variantgen.wording.language import Language
+from variantgen.wording.law_formula import interval_of, law_equations
 from variantgen.wording.scene_data import scene_data
 from variantgen.wording.template import StatementTemplate, load_template
 from variantgen.wording.text import Text
@@ -48,57 +48,6 @@ def statement(variant: Variant, asked: Sequence[Quantity], language: Language) -
     """The statement of a variant. Raises InputError if the template is missing or faulty."""
     case = _case(variant, asked, language)
     return Statement((*_text(case), *graph_sentences(case.form, language)), tuple(_given(case, variant)), _asked(case))
-
-
-def sign_notes(asked: Sequence[Quantity], language: Language) -> list[str]:
-    """The conventions of sign that these answers need, a sentence each."""
-    words = language.words("sheet")
-    needed = {
-        "signs": any(q.is_rotation and not q.component for q in asked),
-        "magnitudes": any(q.is_vector and not q.component for q in asked),
-        "components": any(q.component in ("x", "y") or q.is_coordinate for q in asked),
-        "coordinates": any(q.is_coordinate for q in asked),
-        "angles": any(q.component == "angle" for q in asked),
-        "senses": any(q.component == "sense" for q in asked),
-        "tangential": any(q.kind == "a" and q.component == "t" for q in asked),
-        "ratios": any(q.group == "ratio" for q in asked),
-    }
-    notes = [words[key] for key, wanted in needed.items() if wanted]
-    lines = dict.fromkeys((q.component.partition("_")[0], q.line) for q in asked if q.line)
-    lines |= dict.fromkeys(("inclination", q.target) for q in asked if q.kind == "angle" and not q.component)
-    return notes + [words[key].format(line=line, **_ends(line)) for key, line in lines]
-
-
-def _ends(line: str) -> dict[str, str]:
-    """The two points of a line by the letters of its name: ``O1A`` goes from O1 to A."""
-    start, *rest = (letter + number for letter, number in letters(line))
-    return {"start": start, "end": "".join(rest)}
-
-
-def letter_notes(asked: Sequence[Quantity], language: Language) -> list[str]:
-    """What the letters of centres stand for in what is asked, a sentence each."""
-    words = language.words("sheet")
-    needed = {
-        "velocity_centre": any(q.kind == "P" for q in asked),
-        "acceleration_centre": any(q.kind in ("Q", "mu") for q in asked),
-        "curvature": any(q.kind == "rho" for q in asked),
-        "natural": any(q.kind == "a" and q.component in NATURAL for q in asked),
-        "extremes": any("max_" in q.kind or "min_" in q.kind for q in asked),
-        "mean": any(q.kind.startswith("mean_") for q in asked),
-        "crank_angle": any(q.kind.startswith("phi_") for q in asked),
-        **{name: any(q.kind == name for q in asked) for name in ("stroke", "swing", "time_ratio")},
-        "whole_turn": any(q.is_of_turn for q in asked),
-    }
-    notes = [words[key] for key, wanted in needed.items() if wanted]
-    pairs = dict.fromkeys((q.kind, q.target, q.component) for q in asked if q.kind == "distance" or q.group == "rope")
-    return notes + [
-        words["distance" if kind == "distance" else "rope"].format(start=start, end=end) for kind, start, end in pairs
-    ]
-
-
-def answer_notes(asked: Sequence[Quantity], language: Language) -> list[str]:
-    """All that has to be said to who reads these answers: letters and conventions of sign, a sentence each."""
-    return [*sign_notes(asked, language), *letter_notes(asked, language)]
 
 
 def given(variant: Variant, asked: Sequence[Quantity], language: Language) -> list[Equation]:
@@ -189,7 +138,12 @@ def _text(case: _Case) -> Text:
     """The filled template. A scene has words of the program."""
     variant, language = case.variant, case.language
     if variant.family.folder is None:
-        return (language.words("sheet")["law_scene" if case.form.laws else "scene"],)
+        words = language.words("sheet")
+        begun = words["law_scene" if case.form.laws else "scene"]
+        if not any(quantity.is_of_interval for quantity in case.asked):
+            return (begun,)
+        before, _, after = words["interval"].partition("{interval}")
+        return (f"{begun} {before}", interval_of(variant, language), after)
     return _filled(case, load_template(template_path(variant, language)))
 
 

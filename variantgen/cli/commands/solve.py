@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from variantgen.exam.sheets import Answer
 
 _DIGITS = 5
+_NO_COURSE = "no value: it does not come in the interval of time, or the mechanism cannot move all through it"
 _NO_TURN = "no value: it does not change over a turn, nothing moves to and fro, or the crank cannot make the turn"
 HELP = "solve one variant"
 DESCRIPTION = "Solve one variant of a family, or a scene file: positions, velocities, accelerations."
@@ -107,7 +108,9 @@ def _lines(table: ResultTable) -> Iterator[str]:
 def _told(answer: Answer) -> str:
     """``v_B = 40√3/3 ≈ 23.094 cm/s``: the closed form, if there is one, and the decimal."""
     if not isfinite(answer.value):
-        return answer.quantity.name + (f": {_NO_TURN}" if answer.quantity.is_of_turn else " = infinite")
+        quantity = answer.quantity
+        reason = _NO_TURN if quantity.is_of_turn else _NO_COURSE if quantity.is_of_interval else ""
+        return quantity.name + (f": {reason}" if reason else " = infinite")
     exact = "="
     if answer.surd:
         from variantgen.wording.formula import to_plain  # few answers have a closed form

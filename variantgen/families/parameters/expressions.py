@@ -29,6 +29,7 @@ from variantgen.algebra.expression import (
     Total,
     Variable,
 )
+from variantgen.algebra.functions import HIGHEST
 from variantgen.algebra.substitution import substituted
 from variantgen.algebra.values import walk
 from variantgen.errors import InputError, Problem, nearest
@@ -40,6 +41,7 @@ _MADE: dict[str, Callable[..., Expression]] = {
     **{name: partial(Applied, name) for name in ("sin", "cos", "tan")},
     **{name: partial(Applied, name.replace("a", "arc", 1)) for name in ("asin", "acos", "atan")},
     "sqrt": SquareRoot,
+    **{name: partial(Applied, name) for name in ("exp", "ln")},
     "abs": Magnitude,
     **{name: partial(Applied, name) for name in ("min", "max", "atan2")},
 }
@@ -53,6 +55,8 @@ _APPLIED: dict[str, Callable[..., Any]] = {
     "arcsin": lambda x: np.arcsin(np.clip(x, -1.0, 1.0)),
     "arccos": lambda x: np.arccos(np.clip(x, -1.0, 1.0)),
     "arctan": np.arctan,
+    "exp": lambda x: np.exp(np.minimum(x, HIGHEST)),
+    "ln": lambda x: np.log(np.where(x > 0, x, 1.0)),
     "min": np.minimum,
     "max": np.maximum,
     "atan2": np.arctan2,
@@ -271,6 +275,10 @@ def _meaning(item: Expression) -> Computation | None:
             return _joined(lambda value: np.not_equal(value, 0), _computation(below))
         case SquareRoot(inner):
             return _joined(lambda value: np.greater_equal(value, 0), _computation(inner))
+        case Applied("exp", argument):
+            return _joined(lambda value: np.less_equal(value, HIGHEST), _computation(argument))
+        case Applied("ln", argument):
+            return _joined(lambda value: np.greater(value, 0), _computation(argument))
         case Applied("arcsin" | "arccos", argument):
             return _joined(lambda value: np.less_equal(np.abs(value), 1 + 1e-12), _computation(argument))
     return None

@@ -29,10 +29,11 @@ class Law(NamedTuple):
 
 
 class MeasuredLaw(NamedTuple):
-    """A law in SI, with what it measures."""
+    """A law of plain numbers in SI, with what it measures and the unit of its numbers."""
 
     law: FamilyExpression
     dimension: Dimension
+    unit: str
 
 
 def split_law(table: Table, name: str) -> tuple[Any, Unit | None]:
@@ -62,38 +63,50 @@ def _of_law(named: str) -> Unit:
     return found
 
 
-def measured_law(
-    law: FamilyExpression,
-    time: str,
-    named: Unit | None,
-    fed: str | None,
-    dimensions: Mapping[str, Dimension],
-    length: str,
-) -> MeasuredLaw | None:
-    """The law with its measure, where its numbers are plain; None where its parts have measures of their own.
+class PlainLaws:
+    """The laws of plain numbers of one form: those that have been read, by which another one may be written.
 
-    ``named`` is the unit beside it, ``fed`` the measure of what it feeds. Raises InputError where neither tells.
+    ``time`` is the instant, ``fed`` the measures of what laws feed, ``length`` the unit of length of the file.
     """
-    plain = law.names <= {time}
-    if named is None and not plain:
-        return None
-    wrong: InputError | None = None
-    try:
-        own = law.dimension(dimensions)
-    except InputError as error:
-        own, wrong = None, error
-    if named is None:
-        if wrong is None and (own is None or fed is None or own == DIMENSIONS[fed]):
+
+    def __init__(self, time: str, fed: Mapping[str, str], length: str) -> None:
+        self._time, self._fed, self._length = time, fed, length
+        self._plain: dict[str, FamilyExpression] = {}
+
+    def measured(
+        self, name: str, law: FamilyExpression, named: Unit | None, dimensions: Mapping[str, Dimension]
+    ) -> MeasuredLaw | None:
+        """The law with its measure, where its numbers are plain; None where its parts have measures of their own.
+
+        ``named`` is the unit beside it. In ``y = "x^2 / 60"`` another law stands for its plain number. Raises
+        InputError where neither the unit nor what the law feeds tells the measure.
+        """
+        fed = self._fed.get(name)
+        plain = law.names <= {self._time, *self._plain}
+        if named is None and (not plain or self._fits(law, fed, dimensions)):
             return None
-        if fed is None:
+        if not plain:
+            remedy = "a law with a unit is made of numbers, the time and laws like it; leave the unit out"
+            raise InputError(Problem("uses parameters, which have units of their own", value=law.text, remedy=remedy))
+        measure = named or UNITS[self._length if fed == "length" else "rad"]
+        self._plain[name] = law.inlined(self._plain)
+        return MeasuredLaw(
+            FamilyExpression(law.text, _times(self._plain[name].tree, measure)),
+            measure.dimension,
+            named.name if named else self._length if fed == "length" else "rad",
+        )
+
+    def _fits(self, law: FamilyExpression, fed: str | None, dimensions: Mapping[str, Dimension]) -> bool:
+        """Whether a law without a unit measures what it feeds as it stands. Raises InputError where nothing tells."""
+        try:
+            own = law.dimension(dimensions)
+        except InputError:
+            if fed is not None:
+                return False
             said = "plain numbers and a time without a measure"
-            remedy = f'write the unit beside it: {{ law = "{law.text}", unit = "{length}" }} (or "rad", "deg")'
+            remedy = f'write the unit beside it: {{ law = "{law.text}", unit = "{self._length}" }} (or "rad", "deg")'
             raise InputError(Problem(said, value=law.text, remedy=remedy)) from None
-    elif not plain:
-        remedy = "a law with a unit is made of numbers and the time; leave the unit out"
-        raise InputError(Problem("uses parameters, which have units of their own", value=law.text, remedy=remedy))
-    measure = named or UNITS[length if fed == "length" else "rad"]
-    return MeasuredLaw(FamilyExpression(law.text, _times(law.tree, measure)), measure.dimension)
+        return own is None or fed is None or own == DIMENSIONS[fed]
 
 
 def _times(tree: Expression, measure: Unit) -> Expression:

@@ -4,6 +4,7 @@
 name                      meaning
 ========================  ======================================================================================
 ``v_B  a_B``              magnitude of the velocity, acceleration of a point
+``v_B_A  a_B_A``          of one point as seen from another, also written ``v_B/A``: the difference of both vectors
 ``v_B.x  a_B.y``          component on paper (x to the right, y up)
 ``v_B.angle``             direction: angle from the x axis, -180 to 180 degrees, positive counter-clockwise
 ``v_B.along_AC``          component along the way from A to C
@@ -31,6 +32,13 @@ name                      meaning
 ``mean_v_B``              mean over a turn of the crank of ``v_B`` or of the magnitude of ``omega_AB``
 ``stroke_B  swing_BC``    way between the limit positions of a point on a line, angle between those of a body
 ``time_ratio_B``          time of the slower way over that of the faster one, of a point or a body
+``max_t_v_B  min_t_x_B``  extreme in the interval of time that the laws of the scene state, of the same kinds
+``t_max_v_B  t_zero_v_B`` instant at which the extreme is first reached, at which a quantity is first zero
+``mean_t_v_B``            mean in the interval of ``v_B`` or of the magnitude of ``omega_AB``
+``way_B  shift_B``        length of the way of a point in the interval, its displacement (components and angle as above)
+``average_v_B``           displacement through the time, ``average_a_B`` change of the velocity through the time
+``turned_AB``             angle by which a body turns in the interval, positive counter-clockwise
+``t_back_B``              instant at which a point is first again where it was at the beginning
 ========================  ======================================================================================
 
 What there is of a kind is told by one table: :data:`variantgen.families.quantities.kinds.KINDS`.
@@ -40,6 +48,7 @@ from variantgen.families.quantities.kinds import line_ends
 from variantgen.families.quantities.quantity import Quantity, motion_order, recorded
 from variantgen.families.quantities.reading import (
     in_unit,
+    interval_names,
     is_quantity,
     parse_quantity,
     quantity_names,
@@ -50,6 +59,7 @@ from variantgen.families.quantities.reading import (
 __all__ = [
     "Quantity",
     "in_unit",
+    "interval_names",
     "is_quantity",
     "line_ends",
     "motion_order",

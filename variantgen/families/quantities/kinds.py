@@ -7,39 +7,24 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from variantgen.families.quantities.interval_kinds import of_interval
+from variantgen.families.quantities.kind import MAX, MEAN, MIN, WITH_EXTREMES, Computed, Kind
 from variantgen.mechanism.centres import acceleration_centre, velocity_centre
 from variantgen.mechanism.motion import ComplexField, Field, Motion
 from variantgen.mechanism.point_path import curvature_radius, normal_acceleration, tangential_acceleration
 from variantgen.mechanism.relative import relative_motion, sliding_points
 from variantgen.mechanism.rope_speed import rope_piece, rope_speed
 
+BETWEEN = "_"  # between the two points of a difference: the velocity of B seen from A is v of B_A
 ROPE = "v_rope"  # the kind whose name has a dot before both of its points
 ALONG, ACROSS = "along_", "across_"  # before the two points of a named direction
 _ENDS = re.compile(r"([A-Za-z]\d*)([A-Za-z]\d*)")
-MAX, MIN, ANGLE_OF, MEAN = "max_", "min_", "phi_", "mean_"  # before a kind: what is asked of a turn of the crank
+ANGLE_OF = "phi_"  # before an extreme: the angle of the crank at which it is reached
 NATURAL = {"t": tangential_acceleration, "n": normal_acceleration}  # components of an acceleration along the path
-
-Computed = Callable[[Motion, str, str], Field]  # of a motion, a target and what is asked of it, in SI
-
-
-@dataclass(frozen=True)
-class Kind:
-    """A kind of quantities: ``group`` tells how it is named and read, ``measure`` is that of its value.
-
-    ``order`` is 0 if positions are enough to know it, 1 if velocities are needed, 2 if accelerations. ``of`` is the
-    kind of which an extreme or a mean value over a turn of the crank is taken.
-    """
-
-    group: str
-    order: int
-    measure: str
-    value: Computed
-    of: str = ""
 
 
 def line_ends(text: str, points: Mapping[str, object]) -> tuple[str, str] | None:
@@ -89,6 +74,12 @@ def _of_vector(vectors: Callable[[Motion, str], ComplexField]) -> Computed:
         return np.abs(vector)
 
     return value
+
+
+def _seen(vectors: Mapping[str, ComplexField], target: str) -> ComplexField:
+    """The vector of a point, or of one point seen from another (``B_A``), whose axes do not turn: the difference."""
+    point, _, base = target.partition(BETWEEN)
+    return vectors[point] - vectors[base] if base else vectors[point]
 
 
 def _relative(part: str) -> Callable[[Motion, str], ComplexField]:
@@ -195,8 +186,8 @@ def _found_over_turn(motion: Motion, order: int, find: str, what: object) -> Any
 
 
 _OF_INSTANT: Mapping[str, Kind] = {
-    "v": Kind("vector", 1, "velocity", _of_vector(lambda motion, point: motion.v[point])),
-    "a": Kind("vector", 2, "acceleration", _of_vector(lambda motion, point: motion.a[point])),
+    "v": Kind("vector", 1, "velocity", _of_vector(lambda motion, point: _seen(motion.v, point))),
+    "a": Kind("vector", 2, "acceleration", _of_vector(lambda motion, point: _seen(motion.a, point))),
     "v_rel": Kind("relative", 1, "velocity", _of_vector(_relative("velocity"))),
     "a_rel": Kind("relative", 2, "acceleration", _of_vector(_relative("acceleration"))),
     "a_cor": Kind("relative", 2, "acceleration", _of_vector(_relative("coriolis"))),
@@ -215,14 +206,13 @@ _OF_INSTANT: Mapping[str, Kind] = {
 }
 
 _EXTREMES = {MAX: "largest", MIN: "smallest"}
-_WITH_EXTREMES = ("v", "a", "omega", "epsilon", "x", "y", "angle", "distance")
 
 
 def _of_turn() -> dict[str, Kind]:
     found = {"stroke": Kind("turn", 1, "length", _to_and_fro("travel"))}
     found["swing"] = Kind("turn", 1, "angle", _to_and_fro("travel"))
     found["time_ratio"] = Kind("turn", 1, "number", _to_and_fro("time_ratio"))
-    for name in _WITH_EXTREMES:
+    for name in WITH_EXTREMES:
         kind = _OF_INSTANT[name]
         order = max(1, kind.order)
         for word, find in _EXTREMES.items():
@@ -235,4 +225,4 @@ def _of_turn() -> dict[str, Kind]:
     return found
 
 
-KINDS: Mapping[str, Kind] = {**_OF_INSTANT, **_of_turn()}
+KINDS: Mapping[str, Kind] = {**_OF_INSTANT, **_of_turn(), **of_interval(_OF_INSTANT, _of_vector)}

@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 
 from variantgen.algebra.decimals import RECORDED_DIGITS
 from variantgen.families.parameters.units import Unit, unit
-from variantgen.families.quantities.kinds import ACROSS, ALONG, KINDS, MEAN, NATURAL, ROPE, line_ends
+from variantgen.families.quantities.kind import MEAN
+from variantgen.families.quantities.kinds import ACROSS, ALONG, BETWEEN, KINDS, NATURAL, ROPE, line_ends
 from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import Field, Motion
 from variantgen.mechanism.rope_speed import rope_piece
@@ -50,11 +51,12 @@ class Quantity:
     @property
     def group(self) -> str:
         """The group of its kind, which tells how it is named and read."""
-        return KINDS[self.kind].group
+        group = KINDS[self.kind].group
+        return "difference" if group == "vector" and BETWEEN in self.target else group
 
     @property
     def of_instant(self) -> Quantity | None:
-        """The quantity of which an extreme or a mean value over a turn is taken; None for any other."""
+        """The quantity of which an extreme, a mean value or a zero is taken; None for any other."""
         of = KINDS[self.kind].of
         return Quantity(of, self.target, self.component) if of else None
 
@@ -64,14 +66,34 @@ class Quantity:
         return self.group == "turn"
 
     @property
+    def is_of_interval(self) -> bool:
+        """Whether it belongs to an interval of time."""
+        return self.group == "course"
+
+    @property
+    def is_of_instant(self) -> bool:
+        """Whether it is known at the instant of the problem: of no turn, of no interval."""
+        return not (self.is_of_turn or self.is_of_interval)
+
+    @property
     def is_extreme(self) -> bool:
-        """Whether it is searched for along a turn, where no steps of a calculation lead to it."""
-        return self.of_instant is not None and not self.kind.startswith(MEAN)
+        """Whether it is searched for along a turn or an interval, where no steps of a calculation lead to it."""
+        return self.is_of_interval or (self.of_instant is not None and not self.kind.startswith(MEAN))
 
     @property
     def is_vector(self) -> bool:
         """Whether it belongs to a vector of a point: its magnitude, a component, its angle."""
-        return self.group in ("vector", "relative")
+        return self.group in ("vector", "relative", "difference")
+
+    @property
+    def pair(self) -> tuple[str, str]:
+        """The point whose motion is seen and the one from which it is seen, of ``v_B_A``."""
+        point, _, base = self.target.partition(BETWEEN)
+        return point, base
+
+    def common_body(self, scene: Scene) -> str:
+        """The body that both points of a pair belong to, or ''."""
+        return next((body for body, members in scene.bodies.items() if {*self.pair} <= {*members}), "")
 
     @property
     def is_magnitude(self) -> bool:
@@ -103,7 +125,12 @@ class Quantity:
     @property
     def is_angle(self) -> bool:
         """Whether it is an angle: a direction, a corner, that of the acceleration centre."""
-        return self.component == "angle" or KINDS[self.kind].measure == "angle"
+        return self.component == "angle" or (KINDS[self.kind].measure == "angle" and not self.is_turning)
+
+    @property
+    def is_turning(self) -> bool:
+        """Whether it is the angle by which a body turns, of which whole turns count."""
+        return self.kind == "turned"
 
     @property
     def is_direction(self) -> bool:
@@ -114,7 +141,7 @@ class Quantity:
     def is_coordinate(self) -> bool:
         """Whether it is a coordinate of a point or centre, or its extreme, counted from the origin of the axes."""
         if self.of_instant is not None:
-            return self.of_instant.is_coordinate and not self.is_angle
+            return self.of_instant.is_coordinate and self.is_length
         return self.kind in ("x", "y") or (self.is_centre and self.component in ("x", "y"))
 
     @property
@@ -127,7 +154,7 @@ class Quantity:
     @property
     def turns_with_mirror(self) -> bool:
         """Whether it changes its sign with the mirror image of the mechanism, and nothing else of it does."""
-        return (self.is_rotation and self.component != "abs") or self.component.startswith(ACROSS)
+        return self.is_turning or (self.is_rotation and self.component != "abs") or self.component.startswith(ACROSS)
 
     @property
     def line(self) -> str:
@@ -140,11 +167,13 @@ class Quantity:
         if self.kind == "a" and self.component in NATURAL:
             return Quantity("v", self.target, "x"), self
         match self.group:
-            case "position":
+            case "position" | "course":
                 return ()
             case "turn":
                 crank = crank_of(scene)
                 return (Quantity("omega", crank.body),) if crank and self.kind.startswith(MEAN) else ()
+            case "difference":
+                return self._of_pair(scene)
             case "path":
                 return Quantity("v", self.target), Quantity("a", self.target, "x")
             case "ratio":
@@ -152,6 +181,12 @@ class Quantity:
             case "rope":
                 return self._of_rope(scene)
         return (self,)
+
+    def _of_pair(self, scene: Scene) -> tuple[Quantity, ...]:
+        """The rotation of the body of both points, or the vectors of both."""
+        if body := self.common_body(scene):
+            return tuple(Quantity(rate, body) for rate in ("omega", "epsilon")[: self.order])
+        return tuple(Quantity(self.kind, point, "x") for point in self.pair)
 
     def _of_rope(self, scene: Scene) -> tuple[Quantity, ...]:
         """The rotation of the drum, or the motion of the end, from which a rope runs over fixed pulleys alone."""
@@ -169,12 +204,18 @@ class Quantity:
         """The point it speaks of, or ''."""
         if self.is_centre:
             return "" if self.is_coordinate else self.component
+        if self.group == "difference":
+            return ""
         return self.target if self.is_vector or self.group == "path" or self.is_coordinate else ""
 
     def points(self, known: Mapping[str, object]) -> tuple[str, ...]:
         """All points that its name speaks of, those of a named direction or of a line too; ``known`` are all points."""
         if self.of_instant is not None:
             return self.of_instant.points(known)
+        if self.group == "difference":
+            return (*self.pair, *((line_ends(self.line, known) or ()) if self.line else ()))
+        if self.is_of_interval:
+            return (self.target,) if self.target in known else ()
         if self.line:
             return (self.target, *(line_ends(self.line, known) or ()))
         if self.kind in ("distance", ROPE):
@@ -194,12 +235,12 @@ class Quantity:
 
     def own_unit(self, length: str) -> Unit:
         """The unit in which solutions work it out, for a family that gives lengths in the unit ``length``."""
-        if self.is_angle:
+        if self.is_angle or KINDS[self.kind].measure == "angle":
             return unit("deg")
         if self.component == "sense":
             return unit("1")
         names = {"length": length, "velocity": f"{length}/s", "acceleration": f"{length}/s^2", "number": "1"}
-        names |= {"angular velocity": "rad/s", "angular acceleration": "rad/s^2"}
+        names |= {"angular velocity": "rad/s", "angular acceleration": "rad/s^2", "time": "s"}
         return unit(names[KINDS[self.kind].measure])
 
     def value(self, motion: Motion) -> Field:

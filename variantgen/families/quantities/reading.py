@@ -8,7 +8,8 @@ from dataclasses import replace
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.parameters.units import UNITS, usual_name
-from variantgen.families.quantities.kinds import KINDS, NATURAL, ROPE, line_ends
+from variantgen.families.quantities.interval_kinds import ZERO
+from variantgen.families.quantities.kinds import BETWEEN, KINDS, NATURAL, ROPE, line_ends
 from variantgen.families.quantities.quantity import Quantity
 from variantgen.mechanism.relative import sliding_points
 from variantgen.mechanism.rope_speed import rope_piece, rope_pieces
@@ -18,9 +19,10 @@ from variantgen.mechanism.turn.crank import crank_of, is_steady
 _PART = "[A-Za-z][A-Za-z0-9]*"
 _KIND = "|".join(sorted(KINDS, key=len, reverse=True))
 _ROPE = re.compile(rf"({re.escape(ROPE)})\.({_PART})\.({_PART})")
-_PATTERN = re.compile(rf"({_KIND})_({_PART})(?:\.((?:along_|across_)?{_PART}(?:\.{_PART})?))?")
+_PATTERN = re.compile(rf"({_KIND})_({_PART}(?:[{BETWEEN}/]{_PART})?)(?:\.((?:along_|across_)?{_PART}(?:\.{_PART})?))?")
 _OF_POINT = ("", ".x", ".y", ".angle")
 _OF_BODY = ("", ".abs", ".sense")
+_VECTORS_OF_INTERVAL = ("shift", "average_v", "average_a")
 _NO_EXTREMES = (*NATURAL, "x", "y", "angle", "abs", "sense")  # components of which no extreme is asked
 
 
@@ -48,12 +50,15 @@ def _match(text: str) -> re.Match[str] | None:
 
 
 def split_name(text: str) -> Quantity:
-    """The quantity of a name that is known to be one, with the unit that it may want; ValueError if it is none."""
+    """The quantity of a name that is known to be one, with the unit that it may want; ValueError if it is none.
+
+    As books do, ``v_B/A`` may be written for ``v_B_A``.
+    """
     name, wanted = split_unit(text)
     match = _match(name)
     if match is None:
         raise ValueError(f"{text} is no name of a quantity")
-    return Quantity(match[1], match[2], match[3] or "", wanted)
+    return Quantity(match[1], match[2].replace("/", BETWEEN), match[3] or "", wanted)
 
 
 def split_unit(text: str) -> tuple[str, str]:
@@ -91,6 +96,16 @@ def quantity_names(scene: Scene) -> list[str]:
     return names + [f"mu_{body}" for body in scene.bodies]
 
 
+def interval_names(scene: Scene) -> list[str]:
+    """Names of what can be asked of the interval of time of a scene: ways, means, extremes, instants; none without."""
+    of_point = ("way_{}", "shift_{}", "average_v_{}", "mean_t_v_{}", "max_t_v_{}", "t_max_v_{}", "t_zero_v_{}")
+    of_body = ("turned_{}", "mean_t_omega_{}", "max_t_omega_{}", "t_max_omega_{}", "t_zero_omega_{}")
+    if scene.course is None:
+        return []
+    found = [name.format(point) for point in _moving_points(scene) for name in (*of_point, "t_back_{}")]
+    return found + [name.format(body) for body in scene.bodies for name in of_body]
+
+
 def _moving_points(scene: Scene) -> list[str]:
     moving = {p for members in scene.bodies.values() for p in members}
     moving |= {p for c in scene.constraints for shape in c.shapes() for p in shape.points}
@@ -101,12 +116,9 @@ def _moving_points(scene: Scene) -> list[str]:
 def _is_further(quantity: Quantity, scene: Scene) -> bool:
     """Whether a scene has a quantity that is not among its plain ones."""
     target, component = quantity.target, quantity.component
-    if quantity.line:
-        whole = {"vector": _moving_points, "relative": sliding_points}.get(quantity.group)
-        return whole is not None and target in whole(scene) and line_ends(quantity.line, scene.points) is not None
+    if quantity.is_vector:
+        return _has_vector(quantity, scene) and _has_part(quantity, scene)
     match quantity.group:
-        case "vector":
-            return quantity.kind == "a" and component in NATURAL and target in _moving_points(scene)
         case "centre":
             return target in scene.bodies and component in ("x", "y")
         case "ratio":
@@ -119,7 +131,28 @@ def _is_further(quantity: Quantity, scene: Scene) -> bool:
             return _is_position(quantity, scene)
         case "turn":
             return crank_of(scene) is not None and _has_turn(quantity, scene)
+        case "course":
+            return scene.course is not None and _has_course(quantity, scene)
     return False
+
+
+def _has_vector(quantity: Quantity, scene: Scene) -> bool:
+    """Whether a scene has the point that moves or slides, or both points, of a vector."""
+    match quantity.group:
+        case "vector":
+            return quantity.target in _moving_points(scene)
+        case "relative":
+            return quantity.target in sliding_points(scene)
+    return len({*quantity.pair} & {*_moving_points(scene)}) == 2
+
+
+def _has_part(quantity: Quantity, scene: Scene) -> bool:
+    """Whether a vector has the component that is asked, which no plain quantity is."""
+    if quantity.line:
+        return line_ends(quantity.line, scene.points) is not None
+    if quantity.group == "difference":
+        return quantity.component in ("", *(part[1:] for part in _OF_POINT[1:]))
+    return quantity.group == "vector" and quantity.kind == "a" and quantity.component in NATURAL
 
 
 def _has_turn(quantity: Quantity, scene: Scene) -> bool:
@@ -130,9 +163,24 @@ def _has_turn(quantity: Quantity, scene: Scene) -> bool:
     if of is not None:
         plain = not of.is_direction and of.component not in _NO_EXTREMES and not of.line
         steady = of.order < 2 or is_steady(scene)
-        return plain and steady and (of.name in quantity_names(scene) or _is_further(of, scene))
+        moves = of.group != "position" or bool({*of.points(scene.points)} & {*_moving_points(scene)})
+        return plain and steady and moves and (of.name in quantity_names(scene) or _is_further(of, scene))
     movers = {"stroke": _moving_points(scene), "swing": scene.bodies}
     return not quantity.component and quantity.target in movers.get(quantity.kind, {*movers["stroke"], *scene.bodies})
+
+
+def _has_course(quantity: Quantity, scene: Scene) -> bool:
+    """Whether a scene that moves for an interval of time has what is asked of it."""
+    of, component = quantity.of_instant, quantity.component
+    if of is not None:
+        known = of.name in quantity_names(scene) or _is_further(of, scene)
+        moves = of.group != "position" or bool({*of.points(scene.points)} & {*_moving_points(scene)})
+        is_part = component in ("x", "y") and quantity.kind.startswith(ZERO)
+        return known and moves and not of.line and (is_part or component not in _NO_EXTREMES)
+    if quantity.is_turning:
+        return quantity.target in scene.bodies and not component
+    parts = ("", "x", "y", "angle") if quantity.kind in _VECTORS_OF_INTERVAL else ("",)
+    return quantity.target in _moving_points(scene) and component in parts
 
 
 def _of_crank(quantity: Quantity, scene: Scene) -> str:
@@ -168,13 +216,20 @@ _LENGTHS = ("z", "s", "l", "r")
 def _for_turn(quantity: Quantity, scene: Scene) -> str:
     """What an extreme, a mean value or a stroke needs."""
     if crank_of(scene) is None:
-        return "values of a turn need one driver that rotates a body about a fixed point"
+        return f"values of a turn need one driver that rotates a body about a fixed point; {_for_interval(scene)}"
     if quantity.order == 2 and not is_steady(scene):
         return "accelerations over a turn are those of a constant angular velocity: leave epsilon of the driver out"
     return (
         "write max_, min_, phi_max_, phi_min_ before v_B, a_B, omega_AB, epsilon_AB, x_B, y_B, angle_O.A.B, "
         "distance_A.B; mean_v_B, mean_omega_AB; stroke_B, swing_BC, time_ratio_B"
     )
+
+
+def _for_interval(scene: Scene) -> str:
+    """What a value of an interval of time needs."""
+    names = "max_t_v_B, min_t_x_B, mean_t_v_B, t_max_v_B, t_zero_v_B, t_back_B, way_B, shift_B, turned_AB, average_v_B"
+    stated = "" if scene.course else ", and state the interval in [laws]: interval = [0, 3]"
+    return f"of an interval of time write {names}{stated}"
 
 
 def _bodies_with(target: str, scene: Scene) -> list[str]:
@@ -201,6 +256,8 @@ def _proposed(text: str, quantity: Quantity | None, scene: Scene, known: Sequenc
     if quantity is not None and quantity.group == "rope":
         pieces = [".".join((ROPE, *piece.ends)) for piece in rope_pieces(scene)]
         return "a rope runs straight between: " + ", ".join(pieces) if pieces else "there is no rope"
+    if quantity is not None and quantity.is_of_interval:
+        return _for_interval(scene)
     if quantity is not None and quantity.is_of_turn:
         return _for_turn(quantity, scene)
     if letter in _ANGLES or letter == "angle":

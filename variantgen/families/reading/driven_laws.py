@@ -6,7 +6,7 @@ Compared are numbers, at an instant t and shortly before and after it, for value
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -15,9 +15,12 @@ from numpy.typing import NDArray
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.family import ComponentTemplate, Form
+from variantgen.families.parameters.draw_rules import Pose
 from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.mechanism.arithmetic import Complex, Real
 from variantgen.mechanism.component import field_specs
+from variantgen.mechanism.constructions.coordinates import Coordinates
+from variantgen.mechanism.constructions.polar import Polar
 from variantgen.mechanism.rows import Placement
 from variantgen.mechanism.scene import Scene
 from variantgen.mechanism.solving.solve import place
@@ -53,6 +56,19 @@ def with_accelerations(
     return tuple(map(whole, drivers))
 
 
+def as_written(form: Form) -> Form:
+    """The form of a scene, never reflected or turned where its laws tell places and directions by the axes x and y."""
+    by_axes = {Coordinates: ("x", "y"), Polar: ("angle",)}
+    stated = [
+        template.fields.get(field)
+        for template in form.points.values()
+        for field in by_axes.get(template.component, ())
+        if "towards" not in template.fields
+    ]
+    by_law = any(item.names & form.laws.keys() for item in stated if isinstance(item, FamilyExpression))
+    return replace(form, pose=Pose(mirror=False)) if by_law else form
+
+
 def check_driven(form: Form, time: str) -> None:
     """Raise InputError for drivers that contradict the law of time by which their place or their velocity is given.
 
@@ -62,7 +78,7 @@ def check_driven(form: Form, time: str) -> None:
     base = _draws(form)
     values = [form.values(base | {time: base[time] + side * _STEP}) for side in (0, 1, -1)]
     derived = {f"{law}{dots}": law for law in form.laws for dots in ("_dot", "_ddot")}
-    problems: list[Problem] = []
+    problems = list(_stretched(form))
     for i, template in enumerate(form.drivers):
         velocity, acceleration = _field(template, "velocity"), _field(template, "acceleration")
         if velocity is None or not velocity[1].names & derived.keys():
@@ -79,6 +95,23 @@ def check_driven(form: Form, time: str) -> None:
             problems.append(_problem(key, acceleration, wrong, f"{velocity[0]} changes at", base[time], remedy))
     if problems:
         raise InputError(problems)
+
+
+def _stretched(form: Form) -> Iterator[Problem]:
+    """Bodies, which are rigid, with a point whose distance from another one of theirs is a law of time.
+
+    A point in the place of another one is named anew at every instant, and so may be at another place of its body.
+    """
+    for body, members in form.bodies.items():
+        for name in members:
+            template = form.points[name]
+            distance = template.fields.get("distance")
+            law = distance.names & form.laws.keys() if isinstance(distance, FamilyExpression) else set()
+            alone = sum(other is template for other in form.points.values()) == 1
+            if law and alone and template.fields.get("origin") in members:
+                said = f"{body} is rigid, and the distance of its points {template.fields['origin']} and {name} changes"
+                remedy = f'let {name} slide in it: another point in its place (S = "{name}") in the body, and a slot'
+                yield Problem(said, key=f"points.{name}", value=" and ".join(sorted(law)), remedy=remedy)
 
 
 _Field = tuple[str, FamilyExpression, str]  # its name, what is written there, the unit of its rate

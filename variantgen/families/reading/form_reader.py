@@ -16,7 +16,7 @@ from variantgen.families.machine import read_machine
 from variantgen.families.nice import read_nice
 from variantgen.families.parameters.dimensions import Dimension, dimension_name
 from variantgen.families.parameters.expressions import FamilyExpression, parse
-from variantgen.families.parameters.laws import Law, fed_measures, measured_law, split_law
+from variantgen.families.parameters.laws import Law
 from variantgen.families.parameters.parameter import Parameter
 from variantgen.families.parameters.plain_angles import Kind, check_angle, kind_of, kind_of_parameter
 from variantgen.families.parameters.reading import check_name, read_parameter, unknown_name
@@ -24,6 +24,7 @@ from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import is_quantity, quantity_names
 from variantgen.families.reading.driven_laws import check_driven, with_accelerations
 from variantgen.families.reading.implied import with_blocks, with_stations
+from variantgen.families.reading.law_reader import check_interval, read_interval, read_laws
 from variantgen.families.reading.soundness import check_constants
 from variantgen.families.templates import TemplateReader
 from variantgen.limits import DERIVED, GRID, PARAMETERS, PARTS
@@ -78,7 +79,9 @@ class FormReader:
         self.kinds = {name: kind_of_parameter(parameter) for name, parameter in self.parameters.items()}
         self._read_derived(self.top.table("derived"))
         known = len(self.problems)
-        self._read_laws(self.top.table("laws"))
+        laws = self.top.table("laws")
+        self.laws = read_laws(self, laws, self.top.data, self._length)
+        interval = read_interval(laws, self._templates.quantity)
         if len(self.problems) > known:  # what uses a wrong law would only repeat that it is unknown
             return None
         points = self._templates.points(self.top.table("points"))
@@ -127,12 +130,15 @@ class FormReader:
             self.laws,
             nouns=nouns,
             machine=machine,
+            interval=interval,
         )
         with self.top.collecting(""):
             check_constants(form)
             _ = form.plan
             if self.laws:
                 check_driven(form, self.top.data["laws"]["time"])
+            if interval:
+                check_interval(form)
             self._check_ask(form)
         return form if len(self.problems) == before else None
 
@@ -200,7 +206,7 @@ class FormReader:
 
     def _read_derived(self, table: Table) -> None:
         """Derived quantities, each after those it uses; of several that could be next, the first in the file."""
-        parsed = {name: self._parsed(table, name, value) for name, value in table.data.items()}
+        parsed = {name: self.parsed(table, name, value) for name, value in table.data.items()}
         waiting = {name: expression for name, expression in parsed.items() if expression is not None}
         order = {name: place for place, name in enumerate(waiting)}
         lacking = {name: len(expression.names & waiting.keys()) for name, expression in waiting.items()}
@@ -212,7 +218,7 @@ class FormReader:
         while ready:
             _, name = heappop(ready)
             with table.collecting(name):
-                self._define(name, waiting.pop(name))
+                self.define(name, waiting.pop(name))
             for user in users[name]:
                 lacking[user] -= 1
                 if not lacking[user]:
@@ -220,42 +226,8 @@ class FormReader:
         if waiting:
             table.problem("derived quantities use each other in a circle", "", ", ".join(waiting))
 
-    def _read_laws(self, table: Table) -> None:
-        """Functions of time: ``x`` becomes the value at the instant, ``x_dot`` and ``x_ddot`` its derivatives."""
-        if not table.data:
-            return
-        time = table.need("time", str, "t", "the name of the parameter that is the instant")
-        if self.dimensions.get(time) != (0, 1):
-            table.problem("expected the name of a parameter that is a time", "time", time, 'give it the unit "s"')
-            return
-        # What depends on the time through other names is written out, so that it is differentiated too.
-        moving: dict[str, FamilyExpression] = {}
-        for name, expression in self.derived.items():
-            whole = expression.inlined(moving)
-            if time in whole.names:
-                moving[name] = whole
-        fed = fed_measures(self.top.data)
-        for name in [name for name in table.data if name != "time"]:
-            table.expect(name)
-            text, named = split_law(table, name)
-            law = self._parsed(table, name, text)
-            if law is None:
-                continue
-            with table.collecting(name):
-                self._known_names(law)
-                stated = measured_law(law, time, named, fed.get(name), self.dimensions, self._length)
-                law = (stated.law if stated else law).inlined(moving)
-                if time in law.names:
-                    moving[name] = law
-                dimension = self._define(name, law, stated.dimension if stated else None)
-                plain = named.name if named else self._length if dimension == (1, 0) else "rad"
-                self.laws[name] = Law(plain if stated else "", dimension == (1, 0))
-                for i, suffix in enumerate(("_dot", "_ddot"), start=1):
-                    law = law.derivative(time)
-                    self._define(name + suffix, law, (dimension[0], dimension[1] - i))
-        table.finish()
-
-    def _parsed(self, table: Table, name: str, value: Any) -> FamilyExpression | None:
+    def parsed(self, table: Table, name: str, value: Any) -> FamilyExpression | None:
+        """The expression of a key; None for a wrong one, which is noted."""
         if not isinstance(value, str):
             table.problem("expected an expression in quotes", name, value)
             return None
@@ -264,19 +236,20 @@ class FormReader:
             found.append(parse(value))
         return found[0] if found else None
 
-    def _define(self, name: str, expression: FamilyExpression, dimension: Dimension | None = None) -> Dimension:
+    def define(self, name: str, expression: FamilyExpression, dimension: Dimension | None = None) -> Dimension:
         """Make a name known; its dimension is that of the expression unless it is stated. Raises InputError."""
         if name in self.dimensions:
             raise InputError(Problem("the name is taken", value=name, remedy="choose another name"))
         check_name(name)
-        self._known_names(expression)
+        self.known_names(expression)
         found = dimension or expression.dimension(self.dimensions) or (0, 0)
         self.dimensions[name] = found
         self.kinds[name] = kind_of(expression, self.kinds)
         self.derived[name] = expression
         return found
 
-    def _known_names(self, expression: FamilyExpression) -> None:
+    def known_names(self, expression: FamilyExpression) -> None:
+        """Raise InputError for an expression with an unknown name."""
         for used in sorted(expression.names):
             if used not in self.dimensions:
                 raise InputError(unknown_name(used, list(self.dimensions), expression.text))
@@ -284,7 +257,7 @@ class FormReader:
     def expression(self, text: str, dimension: str = "") -> FamilyExpression:
         """An expression over the known names, of the given dimension if one is due. Raises InputError."""
         expression = parse(text)
-        self._known_names(expression)
+        self.known_names(expression)
         found = expression.dimension(self.dimensions)
         if dimension and found is not None and found != DIMENSIONS[dimension]:
             raise InputError(

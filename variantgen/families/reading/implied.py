@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from itertools import pairwise
 
 from variantgen.families.family import ComponentTemplate
 from variantgen.families.parameters.expressions import FamilyExpression, number
@@ -32,8 +33,10 @@ def with_stations(
     """The joints with their ropes completed.
 
     A station that is named by ropes alone is at rest, unless the file says ``fixed = false``. In a ``parallel`` rope
-    the pieces at a moving station run along the guide of this point, or of another point of a body in translation.
+    the pieces at a moving station run along the guide of this point, or of another point of a body in translation. A
+    rope that turns a body on its way is one rope to this body and another one from it on: it does not slip there.
     """
+    joints = [part for item in joints for part in _between_drums(item)]
     moving = {point for members in bodies.values() for point in members}
     moving |= {name for item in (*joints, *drivers) if item.component is not Rope for name in _points(item)}
     ways = {item.fields["point"]: item.fields.get("angle") for item in joints if item.component is Guide}
@@ -42,6 +45,24 @@ def with_stations(
         own = next((ways[point] for point in members if point in ways), None)
         ways |= {point: own for point in members if point not in ways and own is not None}
     return tuple(_completed(item, moving, ways) if item.component is Rope else item for item in joints)
+
+
+def _between_drums(item: ComponentTemplate) -> list[ComponentTemplate]:
+    """A rope in parts from body to body that it turns; any other joint as it is."""
+    path: tuple[ComponentTemplate, ...] = item.fields.get("path", ()) if item.component is Rope else ()
+    drums = [k for k in range(1, len(path) - 1) if path[k].fields.get("body")]
+    if not drums:
+        return [item]
+    cuts = [0, *drums, len(path) - 1]
+    parts = [path[first : last + 1] for first, last in pairwise(cuts)]
+    if _same_drum(path[0], path[-1]):
+        parts.pop()  # a belt that comes back: its last strand says nothing new
+    return [ComponentTemplate(Rope, {**item.fields, "path": part}) for part in parts]
+
+
+def _same_drum(first: ComponentTemplate, last: ComponentTemplate) -> bool:
+    """Whether two stations are one body that the rope turns."""
+    return bool(first.fields.get("body")) and all(first.fields[k] == last.fields.get(k) for k in ("point", "body"))
 
 
 def _points(item: ComponentTemplate) -> list[str]:

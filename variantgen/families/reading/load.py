@@ -16,6 +16,7 @@ from variantgen.families.method_names import check_methods
 from variantgen.families.parameters.units import unit
 from variantgen.families.rate_graphs import read_from_graph
 from variantgen.families.reading.drawn_bodies import with_drawn_bodies
+from variantgen.families.reading.driven_laws import as_written
 from variantgen.families.reading.files import FAMILY, check_files
 from variantgen.families.reading.folders import Folders, family_names, file_of
 from variantgen.families.reading.form_reader import SECTIONS, FormReader
@@ -123,7 +124,7 @@ def parse_family(data: dict[str, Any], path: Path) -> Family:
         raise InputError(reported_once(problems, overlays))
     is_family = path.name == FAMILY
     if not is_family:
-        forms = {name: with_drawn_bodies(form) for name, form in forms.items()}
+        forms = {name: with_drawn_bodies(as_written(form)) for name, form in forms.items()}
     return Family(
         path.resolve().parent.name if is_family else path.stem,
         titles,

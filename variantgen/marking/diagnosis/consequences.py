@@ -69,9 +69,9 @@ def _mixed(motion: Motion, wrong: Mapping[Quantity, float]) -> Motion:
         right = float(quantity.value(motion)[0])
         factor = value / right if right else 1.0
         match quantity.kind:
-            case "v":
+            case "v" if quantity.target in v:
                 v[quantity.target] = v[quantity.target] * factor
-            case "a":
+            case "a" if quantity.target in a:
                 a[quantity.target] = a[quantity.target] * factor
             case "omega":
                 omega[quantity.target] = omega[quantity.target] * factor

@@ -54,7 +54,9 @@ class DerivedMotion:
         self.epsilon = {body: np.array([complex(x[0])]) for body, x in motion.epsilon.items()}
         self._factors = [1.0]  # of velocities
         self._stretched = [1.0]  # of accelerations
-        self.given = [quantity.target for quantity in wrong if quantity.kind == "v"]  # points with a wrong velocity
+        self.given = [
+            quantity.target for quantity in wrong if quantity.group == "vector" and quantity.kind == "v"
+        ]  # points with a wrong velocity
         self._driven = {
             shape.bodies[0]
             for driver in motion.scene.drivers

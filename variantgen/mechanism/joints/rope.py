@@ -28,7 +28,7 @@ _UPRIGHT = 1e-6  # cosine of a direction: less is none
 
 @dataclass(frozen=True)
 class Bend:
-    """A station of a rope: an end, a pulley, or (first or last) a drum or a wheel that the rope does not slip on.
+    """A station of a rope: an end, a pulley, or a drum or a wheel that the rope does not slip on.
 
     The rope touches the circle of ``radius`` about ``point`` on the left or right ``side`` of its way; radius 0 is the
     point itself. ``body``: the rope is wound on this body, so that its rotation takes up rope. ``fixed``: the point

@@ -13,22 +13,15 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.polynomial import chebyshev
 from numpy.typing import NDArray
 
 from variantgen.mechanism.motion import Field, Motion
 from variantgen.mechanism.turn.crank_turn import FULL_TURN, GRID, CrankTurn
+from variantgen.mechanism.turn.polynomials import AT_FINE, FINE, NODES, TO_COEFFICIENTS, risen, value_at
 
 Scalar = Callable[[Motion, NDArray[np.intp]], Field]  # of a motion (M,) with the variant of each of its rows
 
 _STEP = FULL_TURN / GRID
-_DEGREE = 8
-_NODES = np.cos(np.pi * np.arange(_DEGREE + 1) / _DEGREE)
-_TO_COEFFICIENTS = np.linalg.inv(chebyshev.chebvander(_NODES, _DEGREE))
-_FINE = np.linspace(-1.0, 1.0, 41)
-_AT_FINE = chebyshev.chebvander(_FINE, _DEGREE)
-_SLOPE = chebyshev.chebder(np.eye(_DEGREE + 1), axis=1)  # what derivatives make of the coefficients
-_BEND = chebyshev.chebder(_SLOPE, axis=1)
 _PART, _CLOSER = 0.25, 0.2  # of a step of the grid: about the parabola's top; each time again, where need be
 _TIMES = 13  # until a kink is known to ten digits
 _RESOLVED = 1e-12  # relative: the last two coefficients of a polynomial that leaves nothing out
@@ -109,27 +102,14 @@ def _polynomial(
     turn: CrankTurn, quantity: Scalar, own: NDArray[np.intp], centre: Field, width: float
 ) -> tuple[Field, Field, NDArray[np.bool_]]:
     """Angle and height of the peak so far about a centre, and whether the polynomial resolves it; shape (M,) each."""
-    angles = centre[:, None] + width * _NODES
-    variants = np.repeat(own, len(_NODES))
+    angles = centre[:, None] + width * NODES
+    variants = np.repeat(own, len(NODES))
     values = quantity(turn.at(variants, angles.ravel()), variants).reshape(angles.shape)
-    coefficients = values @ _TO_COEFFICIENTS.T
-    peak = _risen(coefficients, _FINE[np.argmax(coefficients @ _AT_FINE.T, axis=1)])
+    coefficients = values @ TO_COEFFICIENTS.T
+    peak = risen(coefficients, FINE[np.argmax(coefficients @ AT_FINE.T, axis=1)])
     rest = np.max(np.abs(coefficients[:, -2:]), axis=1)
     resolved = (rest <= _RESOLVED * np.max(np.abs(values), axis=1)) & (np.abs(peak) <= _INSIDE)
-    return centre + width * peak, np.sum(chebyshev.chebvander(peak, _DEGREE) * coefficients, axis=1), resolved
-
-
-def _risen(coefficients: Field, place: Field) -> Field:
-    """The roots of the derivatives of polynomials near ``place``, by Newton's method within the steps of the table."""
-    slope, bend = coefficients @ _SLOPE, coefficients @ _BEND
-    low, high = (np.clip(place + step, -1.0, 1.0) for step in (-0.05, 0.05))
-    found = place
-    for _ in range(5):
-        powers = chebyshev.chebvander(found, _DEGREE - 1)
-        down, curve = np.sum(powers * slope, axis=1), np.sum(powers[:, :-1] * bend, axis=1)
-        step = np.where(curve < 0, down / np.where(curve < 0, curve, 1.0), 0.0)
-        found = np.clip(found - step, low, high)
-    return np.asarray(found)
+    return centre + width * peak, value_at(coefficients, peak), resolved
 
 
 def mean(turn: CrankTurn, quantity: Scalar) -> Field:

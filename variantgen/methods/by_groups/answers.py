@@ -20,6 +20,7 @@ from variantgen.methods.vectors.points import sum_of, vector
 from variantgen.methods.vectors.vector_equation import named_shares
 
 _turn_answer = on_demand("by_groups.turn_answers", "turn_answer")
+_passage_answer = on_demand("by_groups.passage_answers", "passage_answer")
 
 
 def answer(book: Book, quantity: Quantity) -> Value:
@@ -43,6 +44,9 @@ def answer(book: Book, quantity: Quantity) -> Value:
         case "turn":
             found: Value = _turn_answer(book, quantity)
             return found
+        case "course":
+            value: Value = _passage_answer(book, quantity)
+            return value
         case "centre angle":
             return acceleration_centre.asked_angle(book, quantity.target)
     if quantity.is_coordinate:

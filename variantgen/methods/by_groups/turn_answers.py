@@ -13,7 +13,7 @@ from itertools import permutations
 from variantgen.algebra.expression import Applied, Constant, Expression, Pi, Ratio, SquareRoot, Value
 from variantgen.algebra.name import Name
 from variantgen.families.quantities import Quantity
-from variantgen.families.quantities.kinds import MEAN
+from variantgen.families.quantities.kind import MEAN
 from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.turn.crank import crank_of
 from variantgen.methods.by_groups.turn_positions import by_positions, turn_measure, turn_name

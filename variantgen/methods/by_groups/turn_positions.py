@@ -9,7 +9,8 @@ import numpy as np
 from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
 from variantgen.families.quantities import Quantity
-from variantgen.families.quantities.kinds import ANGLE_OF, MEAN
+from variantgen.families.quantities.kind import MEAN
+from variantgen.families.quantities.kinds import ANGLE_OF
 from variantgen.mechanism.turn.crank_turn import FULL_TURN, CrankTurn, crank_turn
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import NumberOf, Sentence
@@ -38,14 +39,14 @@ def by_positions(book: Book, quantity: Quantity) -> Value:
         raise LookupError(quantity.name)
     of = quantity.of_instant
     if of is None:
-        book.say("turn.by_positions", False, value=answer, number=NumberOf(_rounded(answer.exact, answer.measure)))
+        book.say("turn.by_positions", False, value=answer, number=NumberOf(rounded(answer.exact, answer.measure)))
         return answer
     sentence = "turn.magnitudes" if of.is_rotation else "turn.rows"
     if not book.has_said(sentence, value=turn_name(of)):
         rows = _rows(crank_turn(task.motion, of.order), of, length)
         book.say(sentence, False, value=turn_name(of), rows=rows)
     key = "mean" if quantity.kind.startswith(MEAN) else "angle" if quantity.kind.startswith(ANGLE_OF) else "extreme"
-    book.say(f"turn.{key}", False, value=answer, number=NumberOf(_rounded(answer.exact, answer.measure)))
+    book.say(f"turn.{key}", False, value=answer, number=NumberOf(rounded(answer.exact, answer.measure)))
     book.values[turn_name(quantity)] = answer
     return answer
 
@@ -61,15 +62,15 @@ def _rows(turn: CrankTurn, of: Quantity, length: str) -> tuple[Sentence, ...]:
         Sentence(
             "turn.at",
             {
-                "angle": NumberOf(_rounded(angle, "angle")),
-                "value": NumberOf(_rounded(value, turn_measure(of), largest)),
+                "angle": NumberOf(rounded(angle, "angle")),
+                "value": NumberOf(rounded(value, turn_measure(of), largest)),
             },
         )
         for angle, value in zip(np.degrees(angles).tolist(), values.tolist(), strict=True)
     )
 
 
-def _rounded(number: float, measure: str, largest: float = 0.0) -> Value:
+def rounded(number: float, measure: str, largest: float = 0.0) -> Value:
     """A number with four digits; what is nothing beside the largest is zero."""
     shown = 0.0 if abs(number) < _NOTHING * largest else float(f"{number:.4g}")
     return Value(None, measure, shown)

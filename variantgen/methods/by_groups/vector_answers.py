@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 from variantgen.algebra.expression import Applied, Constant, Expression, Raised, Ratio, Total, Value
 from variantgen.algebra.name import Name
@@ -11,8 +12,8 @@ from variantgen.mechanism.relative import sliding_points
 from variantgen.methods.geometry.geometry import Geometry, degrees, normal_angle
 from variantgen.methods.solution.book import Book, Known, resultant
 from variantgen.methods.steps.not_applicable import NotApplicableError
-from variantgen.methods.steps.step import Derived, Point, Segment, VectorOf
-from variantgen.methods.vectors.points import components, modulus, sum_of, vector
+from variantgen.methods.steps.step import Body, Derived, Fact, Point, Segment, VectorOf
+from variantgen.methods.vectors.points import RIGHT, UP, components, modulus, rotation, sum_of, vector
 from variantgen.methods.vectors.vector_equation import named_shares
 
 _WORDS = {"t": "tau", "n": "n"}  # components along the path, as names of a solution have them
@@ -36,6 +37,8 @@ def vector_answer(book: Book, quantity: Quantity) -> Value:
         return terms[0].size
     if len(terms) > 1 and name not in book.values:
         kind = quantity.kind if quantity.kind.endswith("_rel") else quantity.kind[0]
+        if quantity.group == "difference":
+            return modulus(book, name, terms)
         with book.step(f"answers.magnitude_{kind}", point=Point(quantity.target)):
             return modulus(book, name, terms)
     return modulus(book, name, terms)
@@ -97,11 +100,45 @@ def _with_sign(value: Value, sign: float) -> Value:
 def _found(book: Book, quantity: Quantity) -> tuple[Name, Known]:
     """The name of a vector and its known terms."""
     point, kind = quantity.target, quantity.kind
+    if quantity.group == "difference":
+        return _difference(book, quantity)
     if kind in ("v", "a"):
         return Name(kind, point), vector(book, point)
     carrier = sliding_points(book.task.scene)[point]
     tables = {"v_rel": book.relative, "a_rel": book.relative_acceleration, "a_cor": book.coriolis}
     return Name(kind[0], point, part=kind[2:]), tables[kind][point, carrier]
+
+
+def _difference(book: Book, quantity: Quantity) -> tuple[Name, Known]:
+    """The vector of one point seen from another: by the rotation of the body of both, or as the difference of both."""
+    point, base = quantity.pair
+    name = Name(quantity.kind, point, base)
+    facts: dict[str, Fact] = {"first": Point(point), "second": Point(base)}
+    vectors = {
+        "whole": VectorOf(name),
+        "one": VectorOf(Name(name.kind, point)),
+        "other": VectorOf(Name(name.kind, base)),
+    }
+    body = quantity.common_body(book.task.scene)
+    if body in book.rates and (book.order == 1 or body in book.omega):
+        with book.step(f"answers.seen_{name.kind}", **facts):
+            book.say("answers.by_rotation", False, body=Body(body), base=Point(base), **vectors)
+            return name, rotation(book, point, base, body, name)
+    if book.graphics is not None:  # it is measured
+        with book.step(f"answers.seen_{name.kind}", **facts):
+            book.say("answers.difference_drawn", False, **vectors)
+            turned = [replace(term, angle=Geometry.turned(term.angle, 180.0)) for term in vector(book, base)]
+            return name, (*vector(book, point), *turned)
+    axes = {"x": RIGHT, "y": UP}
+    if any(name.component(word) not in book.values for word in axes):
+        one, other = (vector(book, end) for end in (point, base))
+        with book.step(f"answers.seen_{name.kind}", **facts):
+            book.say("answers.difference", False, **vectors)
+            for word, axis in axes.items():
+                taken = [replace(share, sign=-share.sign) for share in named_shares(book, other, axis)]
+                book.derive(name.component(word), book.measure, sum_of((*named_shares(book, one, axis), *taken)))
+    sizes = [(word, axis, book.values[name.component(word)]) for word, axis in axes.items()]
+    return name, tuple(book.term(name.component(w), size, axis, f"axis_{w}") for w, axis, size in sizes if size.exact)
 
 
 def _component(book: Book, name: Name, terms: Known, axis: str) -> Value:
@@ -119,7 +156,7 @@ def _on_line(book: Book, name: Name, terms: Known, quantity: Quantity) -> Value:
     own = name.component(quantity.component)
     if own in book.values:
         return book.values[own]
-    _, start, end = quantity.points(book.task.now.z)
+    *_, start, end = quantity.points(book.task.now.z)
     side = quantity.component.partition("_")[0]
     with book.step(f"answers.{side}_{name.kind}", vector=VectorOf(name), line=Segment(start, end)):
         axis = Geometry.turned(book.geometry.direction(start, end), 90.0 if side == "across" else 0.0)

@@ -18,7 +18,7 @@ _TABLES = {1: "V", 2: "A"}
 def lines(model: Model, names: Mapping[Value, str]) -> list[str]:
     """One ``print`` per asked quantity of the instant: its name and its number in the printed unit."""
     writer = _Outputs(model, names)
-    return [f'print("{q.name} =", {writer.of(q)})' for q in model.task.asked if not q.is_of_turn]
+    return [f'print("{q.name} =", {writer.of(q)})' for q in model.task.asked if q.is_of_instant]
 
 
 def constants(model: Model) -> Iterator[tuple[str, float]]:
@@ -41,6 +41,10 @@ class _Outputs:
                 return self._part(self._rate(quantity.target, quantity.order), quantity.component)
             case "vector" if quantity.component in NATURAL:
                 return self._natural(quantity.target, quantity.component)
+            case "difference":
+                pair = zip(*(self._components(point, quantity.order) for point in quantity.pair), strict=True)
+                x, y = (self._difference(*ends) for ends in pair)
+                return self._vector((x, y), quantity.component)
             case "vector":
                 return self._vector(self._components(quantity.target, quantity.order), quantity.component)
             case "path":

@@ -136,6 +136,8 @@ class Translator:
                 return _Part(SquareRoot(parts[0].plain()))
             case Applied("cos" | "sin" | "tan" as function):
                 return _Part(Applied(function, _with_degree_sign(simplified(parts[0].in_degrees()))))
+            case Applied("exp" | "ln" as function):
+                return _Part(Applied(function, simplified(parts[0].plain())))
         return None
 
     def _name(self, name: str) -> _Part | None:

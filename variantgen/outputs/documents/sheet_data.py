@@ -10,9 +10,10 @@ from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.documents.writing import Writing
 from variantgen.outputs.qr import qr_text
+from variantgen.wording.answer_notes import answer_notes, letter_notes, sign_notes
 from variantgen.wording.graph_words import read_off
 from variantgen.wording.language import Language
-from variantgen.wording.statement import Statement, answer_notes, letter_notes, sign_notes
+from variantgen.wording.statement import Statement
 from variantgen.wording.text import with_symbols
 
 _SHORT_NAME = 48

@@ -59,7 +59,7 @@ def panels(
     plain = [
         quantity
         for quantity in asked
-        if not (quantity.component == "sense" or quantity.is_of_turn) and math.isfinite(printed[quantity])
+        if quantity.component != "sense" and quantity.is_of_instant and math.isfinite(printed[quantity])
     ]
     curves = [_curve(variant, driver_sweep.sweep, quantity, printed[quantity], language) for quantity in plain]
     for measure in _MEASURES:

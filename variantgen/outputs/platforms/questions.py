@@ -9,9 +9,9 @@ from variantgen.exam.content import PosedProblem, SolvedProblem
 from variantgen.exam.sheets import Answer, Sheet
 from variantgen.outputs.formats import Chunk
 from variantgen.outputs.platforms.reference import Reference
+from variantgen.wording.answer_notes import answer_notes
 from variantgen.wording.formula import Formula, UnitText
 from variantgen.wording.graph_words import read_off
-from variantgen.wording.statement import answer_notes
 
 
 @dataclass(frozen=True)

@@ -17,9 +17,10 @@ from variantgen.outputs.figures import write_whole
 from variantgen.outputs.typst.typesetter import typesetter
 from variantgen.outputs.typst.writing import TYPST
 from variantgen.variants.variant import Variant, solve_variants
+from variantgen.wording.answer_notes import answer_notes
 from variantgen.wording.graph_words import read_off
 from variantgen.wording.language import load_language
-from variantgen.wording.statement import answer_notes, statement
+from variantgen.wording.statement import statement
 
 Format = Literal["pdf", "png", "svg"]
 FORMATS: tuple[Format, ...] = get_args(Format)

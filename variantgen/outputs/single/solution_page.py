@@ -14,10 +14,10 @@ from variantgen.outputs.single.problem_page import page_format
 from variantgen.outputs.typst.typesetter import typesetter
 from variantgen.outputs.typst.writing import TYPST
 from variantgen.variants.variant import Variant, solve_variants
+from variantgen.wording.answer_notes import answer_notes
 from variantgen.wording.graph_words import read_off
 from variantgen.wording.language import Language
 from variantgen.wording.solution.explain import explain
-from variantgen.wording.statement import answer_notes
 
 
 def write_explained(

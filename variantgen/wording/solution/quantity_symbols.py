@@ -34,6 +34,8 @@ class Symbols:
         if name.kind == "cosine":
             vector = self._vector(Name(name.body, name.of))
             return Function(self.phrases.functions["cos"], FormulaList((Vector(vector), Symbol(name.part))))
+        if name.kind == "turn":
+            return self.language.quantity(split_name(name.of), self.form.symbols)
         if name.kind == "ratio":
             return Quotient(self.letter(Name("omega", name.of)), self.letter(Name("omega", name.about)))
         return Dotted(self.letter(name), name.dots) if name.dots else self.letter(name)
@@ -53,10 +55,6 @@ class Symbols:
                 return Symbol(name.kind, (Index(centre.base), *centre.index))
             case "rope":
                 return Symbol("v", (Index(self.language.words("index")["rope"], True), Index(name.of + name.about)))
-            case "turn":
-                found = self.language.quantity(split_name(name.of), self.form.symbols)
-                assert isinstance(found, Symbol), "no quotient, no property"
-                return found
             case "turn_between":
                 return Symbol("theta")
             case "limit":
