@@ -21,6 +21,9 @@ from pathlib import Path
 from statistics import mean, median
 from typing import Any
 
+from variantgen.algebra.expression import Constant
+from variantgen.algebra.substitution import substituted
+from variantgen.algebra.values import in_order
 from variantgen.families.asking import read_ask
 from variantgen.families.reading import folders, load
 from variantgen.families.reading.load import load_family
@@ -142,10 +145,30 @@ def names_in(item: Any) -> set[Any]:
 
 
 def reproduces(value: Any, given: Sequence[float]) -> bool:
-    """Whether an angle is a sum of others that comes to one of those that are given."""
+    """Whether an angle is a sum of others that is one of those given, whatever that one is.
+
+    So is a sum of bare numbers that comes to it, and one that changes as the given angle does and with nothing else:
+    ``180 - (180 - phi)``. By its number alone 90 - phi is phi at 45 degrees, and it has to be worked out.
+    """
     if type(value.expression).__name__ != "Total":
         return False
-    return any(abs(abs(value.exact) - angle) <= _SAME * max(angle, 1.0) for angle in given)
+    if not any(abs(abs(value.exact) - angle) <= _SAME * max(angle, 1.0) for angle in given):
+        return False
+    leaves = [leaf for leaf in in_order([value]) if leaf.expression is None]
+    moved = [(leaf, change) for leaf in leaves if abs(change := _changed(value, leaf) - value.exact) > _SAME]
+    if len(moved) != 1:
+        return not moved
+    (leaf, change), same = moved[0], _SAME * max(abs(value.exact), 1.0)
+    return abs(change - 1.0) <= _SAME and abs(leaf.exact - value.exact) <= same
+
+
+def _changed(value: Any, leaf: Any) -> float:
+    """What a value is where a datum is larger by 1."""
+    table = {leaf: Constant(leaf.exact + 1.0, leaf.measure)}
+    for item in in_order([value]):
+        if item is not leaf and item.expression is not None:
+            table[item] = Constant((substituted(item.expression, table) or Constant(0.0)).number(True), item.measure)
+    return table[value].number(True)
 
 
 def of_text(text: Any, language: str) -> dict[str, float]:

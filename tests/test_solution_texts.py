@@ -5,7 +5,7 @@ from __future__ import annotations
 from types import SimpleNamespace
 
 from benchmarks import solution_texts
-from variantgen.algebra.expression import Constant, Value
+from variantgen.algebra.expression import Constant, Expression, Value
 from variantgen.wording.solution.document import Paragraph, Section, SolutionText
 
 
@@ -21,11 +21,24 @@ def test_numbers_and_long_decimals_are_counted() -> None:
     assert not counted["coordinates"]
 
 
+def angle(number: float, expression: Expression | None = None) -> Value:
+    return Value(None, "angle", number, expression)
+
+
 def test_a_sum_that_gives_a_known_angle() -> None:
-    corner = Constant(180.0, "angle") - Value(None, "angle", 120.0)
-    assert solution_texts.reproduces(Value(None, "angle", 60.0, corner), [60.0])
-    assert not solution_texts.reproduces(Value(None, "angle", 60.0, corner), [30.0])
-    assert not solution_texts.reproduces(Value(None, "angle", 60.0, Constant(60.0)), [60.0])
+    phi, half = angle(60.0), Constant(180.0, "angle")
+    beside = angle(120.0, half - phi)
+    assert solution_texts.reproduces(angle(60.0, half - beside), [60.0])
+    assert solution_texts.reproduces(angle(60.0, half - Constant(120.0, "angle")), [60.0])
+    assert not solution_texts.reproduces(angle(60.0, half - beside), [30.0])
+    assert not solution_texts.reproduces(angle(60.0, Constant(60.0)), [60.0])
+
+
+def test_an_angle_that_equals_a_given_one_by_its_number_alone_is_worked_out() -> None:
+    phi, alpha = angle(45.0), angle(90.0)
+    assert not solution_texts.reproduces(angle(45.0, Constant(90.0, "angle") - phi), [45.0])
+    assert not solution_texts.reproduces(angle(45.0, alpha - phi), [45.0, 90.0])
+    assert not solution_texts.reproduces(angle(30.0, angle(120.0) - Constant(90.0, "angle")), [30.0, 120.0])
 
 
 def test_shares_are_of_what_they_are_shares_of() -> None:
