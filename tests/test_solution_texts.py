@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 from benchmarks import solution_texts
 from variantgen.algebra.expression import Constant, Expression, Value
+from variantgen.exam.solution_figures import SolutionFigure
+from variantgen.figure.drawing import Layer
+from variantgen.figure.sketch import Sketch
 from variantgen.wording.solution.document import Paragraph, Section, SolutionText
 
 
@@ -52,3 +56,13 @@ def test_a_quantity_that_nothing_uses_is_counted() -> None:
     assert all(row["unknown"] == 4 and row["minus"] == 0 for row in rows.values())
     empty = SimpleNamespace(steps=(), answers=(), check=())
     assert solution_texts.of_steps(empty, [])["unused"] == 0
+
+
+def test_figures_are_counted_as_they_are_on_paper() -> None:
+    sketch = Sketch({}, 1.0)
+    sketch.arrow(0j, 4 + 0j, Layer.SLIDER, head=2.6)
+    short = SolutionFigure("velocities", replace(sketch.finish({}), width=80.0), (), 0.8)
+    plan = replace(short, name="velocity_plan", unit=1.25)  # 100 mm
+    shown = SimpleNamespace(draw=lambda names: None, rows=lambda: ((short, plan),))
+    counted = solution_texts.of_figures(shown, [])
+    assert counted == {"figures": 2, "narrow": 1, "small index": 1, "short arrows": 2, "misread": 0}

@@ -36,17 +36,26 @@ def test_where_both_axes_of_the_paper_were_used_the_third_one_is_along_a_known_v
 
 
 @pytest.mark.parametrize("alpha", [35, 60, 110])
-def test_a_sum_of_four_vectors_has_its_magnitude_on_other_axes(alpha: float) -> None:
+def test_a_sum_of_four_vectors_on_the_line_of_a_fifth(alpha: float) -> None:
     """A disc on a crank OA = 20 along the positive x axis that turns at 2 and 4; it turns at 2 + 3 and 4 + 5."""
     data = {"OA": 20, "r": 10, "alpha": alpha, "omega_OA": 2, "epsilon_OA": 4, "omega_r": 3, "epsilon_r": 5}
     book = worked_book("crank_and_disc", "relative", "a_M", **data)
     sentence, left, right = parts(other_axes(book, book.steps))
+    assert sentence.key == "check.components"
+    assert sentence.facts["along"] == VectorOf(Name("a", "M", "A", "n"))
+    turn = radians(alpha)  # from AO to AM: a^n_A = 80 along AO, a^tau_A = 80 across it, a^n_MA = 250 along MA
+    both = [250 - 80 * cos(turn) + sense * 80 * sin(turn) for sense in (1, -1)]  # M is on one side or the other
+    assert any(right == pytest.approx(projection) for projection in both)
+    assert left == pytest.approx(right)
+
+
+def test_a_sum_of_three_vectors_has_its_magnitude_on_other_axes() -> None:
+    """A falling rod of 2 m that has turned by 1 rad: a_C = 9.8 and omega^2 AC = 4 along the rod."""
+    book = worked_book("falling_rod", "", "a_A", AB=2, omega=2, t=0.5, sense=1)
+    sentence, left, right = parts(other_axes(book, book.steps))
     assert sentence.key == "check.other_axes"
-    along = sentence.facts["along"]
-    assert isinstance(along, VectorOf)
-    assert along.name.about == "A"  # one of the vectors about A: the solution went along that of A
-    arm = 10 * cmath.exp(1j * (pi - radians(alpha)))
-    both = [abs((4j * sense - 4) * 20 + (9j * sense - 25) * arm) for sense in (1, -1)]  # M is on one side or the other
+    assert sentence.facts["along"] == VectorOf(Name("a", "C"))
+    both = [abs(9.8 + side * 4 * cmath.exp(1j * (pi / 2 - 1))) for side in (1, -1)]
     assert any(left == pytest.approx(magnitude) for magnitude in both)
     assert right == pytest.approx(left)
 
