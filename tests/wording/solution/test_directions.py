@@ -48,7 +48,7 @@ def test_a_guide_is_named_where_there_is_one(name: str, form: str, said: str) ->
 @pytest.mark.parametrize(("name", "form", "centre"), [("spool", "", "O"), ("winch_with_pulley", "single", "C")])
 def test_a_vector_on_a_level_or_upright_path_has_its_side_alone(name: str, form: str, centre: str) -> None:
     text = re.sub(r"\s+", " ", text_of(name, form))
-    assert "straight path" not in text
+    assert f"the path of {centre}" not in text
     assert re.search(rf"a⃗_{centre} (to the left|to the right|upwards|downwards);", text)
 
 
