@@ -98,6 +98,10 @@ def test_solve_loads_no_more_than_it_needs() -> None:
     assert parts(own) <= SOLVING
     # Of an exam the answers alone; of methods those that lead to them, nothing that chooses, checks or prints steps.
     assert not own & {"exam.exam_file", "exam.notices", "exam.roster", "wording.inline"}
+    assert not {name for name in own if name.startswith(("wording.language", "wording.formula"))}
+    # Nothing about a whole turn of the crank, but whether there is a crank.
+    assert {name for name in own if name.startswith("mechanism.turn.")} == {"mechanism.turn.crank"}
+    assert "methods.by_groups.turn_answers" not in own
     printing = ("agreement", "compose", "magnitudes", "other_base_point", "printed_numbers", "result_check")
     others = ("by_groups.closed_chain", "by_groups.three_rates", "centres.projections", "vectors.cylinder")
     assert not own & {f"methods.{name}" for name in (*printing, *others, "steps.printed_digits")}

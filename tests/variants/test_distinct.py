@@ -21,7 +21,7 @@ from variantgen.variants.seeding import digest
 from variantgen.variants.similarity import CLOSE, CLOSE_ANGLE, Traits, traits
 from variantgen.variants.variant import Variant
 
-Draw = tuple[int, int, float]  # identity, room, place
+Draw = tuple[int, int, float | tuple[float, ...]]  # identity, room, place
 
 
 class Model:
@@ -35,7 +35,7 @@ class Model:
         return Traits(
             np.array([identity for identity, _, _ in chosen], dtype=np.uint64),
             np.array([room for _, room, _ in chosen], dtype=np.uint64),
-            np.array([[place] for *_, place in chosen], dtype=np.float32),
+            np.array([np.atleast_1d(place) for *_, place in chosen], dtype=np.float32),
             np.array([k + 1 for k in tries]),
         )
 
@@ -55,7 +55,7 @@ class Model:
 
 
 def near(one: Draw, other: Draw) -> bool:
-    return one[1] == other[1] and abs(one[2] - other[2]) <= 1.0
+    return one[1] == other[1] and bool(np.all(np.abs(np.subtract(one[2], other[2])) <= 1.0))
 
 
 @st.composite
@@ -107,7 +107,27 @@ def test_a_crowd_is_told_and_only_kept_distinct() -> None:
     assert found.alike == tuple(range(40))
 
 
-def test_large_rooms_are_searched_as_small_ones_are() -> None:
+def test_all_coordinates_of_a_place_count() -> None:
+    # Places in whole steps, so that many differ by exactly as much as is still near; few owners for the room there is.
+    seed = random.Random(5)
+    for width in (1, 2, 4):
+        side = 200 if width == 1 else 25
+        draws = []
+        for owner in range(40):
+            places = [tuple(float(seed.randrange(side)) for _ in range(width)) for _ in range(30)]
+            draws.append([(owner * 30 + k, 0, place) for k, place in enumerate(places)])
+        model = Model(draws, range(40))
+        assert model.assign_distinct().again == model.one_by_one()
+
+
+def test_what_has_no_number_is_near_everything_in_its_room() -> None:
+    draws = [[(10 * i + k, 0, ()) for k in range(50)] for i in range(5)]
+    assert Model(draws, range(5)).assign_distinct().alike == (1, 2, 3, 4)
+
+
+@pytest.mark.parametrize("few", [10, 10_000])
+def test_large_rooms_are_searched_as_small_ones_are(few: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("variantgen.variants.distinct._FEW", few)
     # 1000 owners in one room, spaced by twice the distance, and a second owner near each tenth.
     draws = [[(i, 0, 2.5 * i), (5000 + i, 1, 50.0 * i)] for i in range(1000)]
     draws += [[(9000 + i, 0, 25.0 * i + 0.5), (20_000 + i, 2, 50.0 * i)] for i in range(100)]

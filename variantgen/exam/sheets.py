@@ -18,13 +18,12 @@ from variantgen.mechanism.solving.closed_form import square_fractions
 from variantgen.methods.hand.confirmation import confirm_answers
 from variantgen.variants.seeding import digest
 from variantgen.variants.variant import Variant, solve_variants
-from variantgen.wording.formula import Surd
-from variantgen.wording.surds import surd
 
 if TYPE_CHECKING:
     from variantgen.exam.exam_file import ExamProblem
     from variantgen.exam.roster import Student
     from variantgen.methods.hand.work import Work
+    from variantgen.wording.formula import Surd
 
 _CODE_LETTERS = "23456789ACDEFGHJKLMNPQRTUVWXYZ"
 
@@ -240,6 +239,13 @@ def _answers(
     return [found[i] for i in range(len(variants))]
 
 
+def _surd(number: float) -> Surd | None:
+    """A number in closed form, where it has one that helps."""
+    from variantgen.wording.surds import surd  # with all formulas, which the answers of few problems need
+
+    return surd(number)
+
+
 def _column(quantity: Quantity, unit: Unit, numbers: Field, needed: Field) -> list[Answer]:
     """The answers of several variants (in SI) to one question, each with its tolerance."""
     computed = unit.from_si(numbers)
@@ -248,6 +254,6 @@ def _column(quantity: Quantity, unit: Unit, numbers: Field, needed: Field) -> li
     for number, root, relative_tolerance in zip(computed.tolist(), roots, needed.tolist(), strict=True):
         value = recorded(quantity, number)
         own = 0.0 if quantity.component == "sense" else relative_tolerance  # a sense is right or wrong
-        exact = surd(number) if root else None
+        exact = _surd(number) if root else None
         found.append(Answer(quantity, unit, value, _tolerance(quantity, unit, value, own), own, exact))
     return found

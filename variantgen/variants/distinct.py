@@ -19,7 +19,7 @@ from variantgen.variants.similarity import Traits
 TRIES = 10  # draws in which somebody looks for data that are not nearly those of another
 # With more near neighbours than this, on average, there is no room to keep the variants of a group apart.
 _CROWD = 12.0
-_FEW = 400  # places of which all pairs are compared
+_FEW = 10_000  # places that are compared along a line; of more, a tree finds the near ones sooner
 _COUNTED = 10_000  # places whose near ones are counted together
 _LIMIT = 1.0 + 1e-4  # of single precision
 
@@ -167,10 +167,10 @@ def _near(found: Traits, crowds: set[int]) -> dict[int, list[int]]:
 
 def _is_crowd(places: NDArray[np.float32]) -> bool:
     """Whether places have more near ones than :data:`_CROWD` on average; not all are counted where they are many."""
-    most = _CROWD * len(places)
+    most, found = _CROWD * len(places), 0
     if len(places) <= _FEW:
-        return 2 * len(_close_pairs(places)) > most
-    tree, found = _tree(places), 0
+        return any((found := found + 2 * len(pairs)) > most for pairs in _pairs_along_line(places))
+    tree = _tree(places)
     for start in range(0, len(places), _COUNTED):
         own = places[start : start + _COUNTED]
         found += int(tree.query_ball_point(own, _LIMIT, p=np.inf, return_length=True).sum()) - len(own)
@@ -183,10 +183,23 @@ def _close_pairs(places: NDArray[np.float32]) -> NDArray[np.intp]:
     """Pairs of places, shape (P, 2), that differ by at most 1 in every coordinate."""
     if len(places) > _FEW:
         return np.asarray(_tree(places).query_pairs(_LIMIT, p=np.inf, output_type="ndarray"))
-    close = np.ones((len(places), len(places)), dtype=bool)
-    for column in places.T:
-        close &= np.abs(column[:, None] - column[None, :]) <= _LIMIT
-    return np.argwhere(np.triu(close, 1))
+    return np.concatenate([np.empty((0, 2), dtype=np.intp), *_pairs_along_line(places)])
+
+
+def _pairs_along_line(places: NDArray[np.float32]) -> Iterator[NDArray[np.intp]]:
+    """The close pairs, shape (P, 2), in the order of the widest coordinate: next neighbours, next but one and so on."""
+    if not places.shape[1]:
+        places = np.zeros((len(places), 1), dtype=np.float32)
+    wide = np.argsort(-np.ptp(places, axis=0))
+    order = np.argsort(places[:, wide[0]], kind="stable")
+    line = places[order][:, wide].astype(np.float64)
+    behind = np.searchsorted(line[:, 0], line[:, 0] + _LIMIT, side="right")
+    second = line[:, min(1, len(wide) - 1)].copy()
+    for step in range(1, int((behind - np.arange(len(line))).max())):
+        # Few are close in the second coordinate too: only of them all others are compared.
+        first = (np.abs(second[step:] - second[:-step]) <= _LIMIT).nonzero()[0]
+        first = first[(np.abs(line[first + step] - line[first]) <= _LIMIT).all(axis=1)]
+        yield np.stack((order[first], order[first + step]), axis=1)
 
 
 def _tree(places: NDArray[np.float32]) -> Any:

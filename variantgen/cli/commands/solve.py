@@ -55,9 +55,9 @@ def run(arguments: argparse.Namespace) -> int:
     refuse_exam(arguments, "solve works out one problem")
     from variantgen.mechanism.outcome import Outcome
     from variantgen.single import answers, solution_document
-    from variantgen.wording.language import load_language
+    from variantgen.wording.words import check_language
 
-    load_language(arguments.lang)
+    check_language(arguments.lang)
     variant = wanted_variant(arguments)
     document = solution_document(variant, arguments.ask)
     solved = Outcome[document["outcome"].upper()] is Outcome.SOLVED
@@ -106,9 +106,11 @@ def _lines(table: ResultTable) -> Iterator[str]:
 
 def _told(answer: Answer) -> str:
     """``v_B = 40√3/3 ≈ 23.094 cm/s``: the closed form, if there is one, and the decimal."""
-    from variantgen.wording.formula import to_plain
-
     if not isfinite(answer.value):
         return answer.quantity.name + (f": {_NO_TURN}" if answer.quantity.is_of_turn else " = infinite")
-    exact = f"= {to_plain(answer.surd)} ≈".replace("\N{MINUS SIGN}", "-") if answer.surd else "="
+    exact = "="
+    if answer.surd:
+        from variantgen.wording.formula import to_plain  # few answers have a closed form
+
+        exact = f"= {to_plain(answer.surd)} ≈".replace("\N{MINUS SIGN}", "-")
     return f"{answer.quantity.name} {exact} {answer.value:.6g} {answer.unit.name}".removesuffix(" 1")

@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -16,8 +17,6 @@ from variantgen.mechanism.motion import ComplexField, Field, Motion
 from variantgen.mechanism.point_path import curvature_radius, normal_acceleration, tangential_acceleration
 from variantgen.mechanism.relative import relative_motion, sliding_points
 from variantgen.mechanism.rope_speed import rope_piece, rope_speed
-from variantgen.mechanism.turn.crank_turn import CrankTurn, crank_turn
-from variantgen.mechanism.turn.turn_values import Scalar, largest, mean, smallest, time_ratio, travel
 
 ROPE = "v_rope"  # the kind whose name has a dot before both of its points
 ALONG, ACROSS = "along_", "across_"  # before the two points of a named direction
@@ -159,8 +158,11 @@ def _rope(motion: Motion, first: str, second: str) -> Field:
     return rope_speed(motion, piece)
 
 
-def _over_turn(kind: Kind, find: Callable[[CrankTurn, Scalar], Field]) -> Computed:
-    """What is found of a quantity over a turn of the crank: of the magnitude of a rate."""
+def _over_turn(kind: Kind, find: str, result: str = "") -> Computed:
+    """What is found of a quantity over a turn of the crank: of the magnitude of a rate.
+
+    ``find`` names a function of :mod:`variantgen.mechanism.turn.turn_values`, which few problems need.
+    """
 
     def value(motion: Motion, target: str, component: str) -> Field:
         part = "abs" if kind.group == "rotation" else component
@@ -168,20 +170,28 @@ def _over_turn(kind: Kind, find: Callable[[CrankTurn, Scalar], Field]) -> Comput
         def of_motion(at: Motion, _: object) -> Field:
             return kind.value(at, target, part)
 
-        with np.errstate(all="ignore"):
-            return find(crank_turn(motion, kind.order), of_motion)
+        found = _found_over_turn(motion, kind.order, find, of_motion)
+        numbers: Field = getattr(found, result) if result else found
+        return numbers
 
     return value
 
 
-def _to_and_fro(find: Callable[[CrankTurn, str], Field]) -> Computed:
+def _to_and_fro(find: str) -> Computed:
     """What is found of a point or a body that moves to and fro in a turn of the crank."""
 
     def value(motion: Motion, target: str, _: str) -> Field:
-        with np.errstate(all="ignore"):
-            return find(crank_turn(motion, 1), target)
+        found: Field = _found_over_turn(motion, 1, find, target)
+        return found
 
     return value
+
+
+def _found_over_turn(motion: Motion, order: int, find: str, what: object) -> Any:
+    from variantgen.mechanism.turn import crank_turn, turn_values
+
+    with np.errstate(all="ignore"):
+        return getattr(turn_values, find)(crank_turn.crank_turn(motion, order), what)
 
 
 _OF_INSTANT: Mapping[str, Kind] = {
@@ -204,31 +214,24 @@ _OF_INSTANT: Mapping[str, Kind] = {
     "distance": Kind("position", 0, "length", lambda motion, a, b: np.abs(motion.z[a] - motion.z[b])),
 }
 
-_EXTREMES: Mapping[str, Callable[[CrankTurn, Scalar], Field]] = {
-    MAX: lambda turn, quantity: largest(turn, quantity).value,
-    MIN: lambda turn, quantity: smallest(turn, quantity).value,
-}
-_ANGLES: Mapping[str, Callable[[CrankTurn, Scalar], Field]] = {
-    ANGLE_OF + MAX: lambda turn, quantity: largest(turn, quantity).angle,
-    ANGLE_OF + MIN: lambda turn, quantity: smallest(turn, quantity).angle,
-}
+_EXTREMES = {MAX: "largest", MIN: "smallest"}
 _WITH_EXTREMES = ("v", "a", "omega", "epsilon", "x", "y", "angle", "distance")
 
 
 def _of_turn() -> dict[str, Kind]:
-    found = {"stroke": Kind("turn", 1, "length", _to_and_fro(travel))}
-    found["swing"] = Kind("turn", 1, "angle", _to_and_fro(travel))
-    found["time_ratio"] = Kind("turn", 1, "number", _to_and_fro(time_ratio))
+    found = {"stroke": Kind("turn", 1, "length", _to_and_fro("travel"))}
+    found["swing"] = Kind("turn", 1, "angle", _to_and_fro("travel"))
+    found["time_ratio"] = Kind("turn", 1, "number", _to_and_fro("time_ratio"))
     for name in _WITH_EXTREMES:
         kind = _OF_INSTANT[name]
         order = max(1, kind.order)
         for word, find in _EXTREMES.items():
-            found[word + name] = Kind("turn", order, kind.measure, _over_turn(kind, find), name)
-        for word, find in _ANGLES.items():
-            found[word + name] = Kind("turn", order, "angle", _over_turn(kind, find), name)
+            found[word + name] = Kind("turn", order, kind.measure, _over_turn(kind, find, "value"), name)
+        for word, find in _EXTREMES.items():
+            found[ANGLE_OF + word + name] = Kind("turn", order, "angle", _over_turn(kind, find, "angle"), name)
     for name in ("v", "omega"):
         kind = _OF_INSTANT[name]
-        found[MEAN + name] = Kind("turn", 1, kind.measure, _over_turn(kind, mean), name)
+        found[MEAN + name] = Kind("turn", 1, kind.measure, _over_turn(kind, "mean"), name)
     return found
 
 

@@ -12,7 +12,7 @@ from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import Field, Motion
 from variantgen.mechanism.rope_speed import rope_piece
 from variantgen.mechanism.scene import Scene
-from variantgen.mechanism.turn.crank_turn import crank_of
+from variantgen.mechanism.turn.crank import crank_of
 
 # An angle of fewer degrees is noise about zero: the tolerance of an angle is some tenths of a degree.
 _NO_ANGLE = 1e-9

@@ -13,7 +13,7 @@ from variantgen.families.quantities.quantity import Quantity
 from variantgen.mechanism.relative import sliding_points
 from variantgen.mechanism.rope_speed import rope_piece, rope_pieces
 from variantgen.mechanism.scene import Scene, fixed_points
-from variantgen.mechanism.turn.crank_turn import crank_of, is_steady
+from variantgen.mechanism.turn.crank import crank_of, is_steady
 
 _PART = "[A-Za-z][A-Za-z0-9]*"
 _KIND = "|".join(sorted(KINDS, key=len, reverse=True))

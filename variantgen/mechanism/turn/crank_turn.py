@@ -10,7 +10,7 @@ branch, which the next positions show beside their velocities, the variant is fo
 from __future__ import annotations
 
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import TypeAlias
 
@@ -20,13 +20,12 @@ from numpy.typing import NDArray
 from variantgen.mechanism.arithmetic import Complex
 from variantgen.mechanism.constructions.coordinates import Coordinates
 from variantgen.mechanism.drivers.rotation import Rotation
-from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import ComplexField, Field, Motion
 from variantgen.mechanism.outcome import Outcome
-from variantgen.mechanism.scene import Scene
 from variantgen.mechanism.solving.solve import add_speeds, place
 from variantgen.mechanism.solving.structure import analyse
 from variantgen.mechanism.turn.continuation import Continuation, PathState
+from variantgen.mechanism.turn.crank import crank_of
 from variantgen.mechanism.turn.sweep import moved
 
 FULL_TURN = 2 * np.pi
@@ -38,28 +37,6 @@ _NEARBY, _DEVIATES, _JUMPS = 1e-5, 1e-3, 0.3
 _NOTHING = 1e-13  # m
 
 _Path: TypeAlias = tuple[Continuation, list[PathState]]
-
-
-@dataclass(frozen=True)
-class Crank:
-    """The body that a single driver turns about a fixed point."""
-
-    body: str
-    pivot: str
-
-
-def crank_of(scene: Scene) -> Crank | None:
-    """The crank of a scene; None where something else drives it."""
-    if len(scene.drivers) != 1 or not isinstance(scene.drivers[0], Rotation):
-        return None
-    driver = scene.drivers[0]
-    pivot = Linkage(scene).pivot(driver.body)
-    return Crank(driver.body, pivot) if pivot is not None and driver.relative_to is None else None
-
-
-def is_steady(scene: Scene) -> bool:
-    """Whether the crank has no angular acceleration."""
-    return all(isinstance(driver, Rotation) and not np.any(driver.epsilon) for driver in scene.drivers)
 
 
 class CrankTurn:

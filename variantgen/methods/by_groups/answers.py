@@ -9,15 +9,17 @@ from variantgen.algebra.name import Name
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.rope_speed import rope_piece
 from variantgen.methods.by_groups.position_answers import centre_coordinate, position_answer
-from variantgen.methods.by_groups.turn_answers import turn_answer
 from variantgen.methods.by_groups.vector_answers import curvature_radius, vector_answer
 from variantgen.methods.centres import acceleration_centre, velocity_centre
 from variantgen.methods.geometry.geometry import degrees
 from variantgen.methods.groups.carriers import is_translating
+from variantgen.methods.on_demand import on_demand
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Body, Derived, Point
 from variantgen.methods.vectors.points import sum_of, vector
 from variantgen.methods.vectors.vector_equation import named_shares
+
+_turn_answer = on_demand("by_groups.turn_answers", "turn_answer")
 
 
 def answer(book: Book, quantity: Quantity) -> Value:
@@ -39,7 +41,8 @@ def answer(book: Book, quantity: Quantity) -> Value:
         case "position":
             return position_answer(book, quantity)
         case "turn":
-            return turn_answer(book, quantity)
+            found: Value = _turn_answer(book, quantity)
+            return found
         case "centre angle":
             return acceleration_centre.asked_angle(book, quantity.target)
     if quantity.is_coordinate:

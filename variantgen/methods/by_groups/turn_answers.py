@@ -15,7 +15,7 @@ from variantgen.algebra.name import Name
 from variantgen.families.quantities import Quantity
 from variantgen.families.quantities.kinds import MEAN
 from variantgen.mechanism.linkage import Linkage
-from variantgen.mechanism.turn.crank_turn import crank_of
+from variantgen.mechanism.turn.crank import crank_of
 from variantgen.methods.by_groups.turn_positions import by_positions, turn_measure, turn_name
 from variantgen.methods.linkage.problem import CLOSE
 from variantgen.methods.solution.book import Book
