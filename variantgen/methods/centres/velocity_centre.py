@@ -44,8 +44,8 @@ def _are_square(first: complex, second: complex) -> bool:
 def solve_dyad(book: Book, group: Dyad) -> None:
     """Find the velocity of the point on its path and the angular velocity of the body.
 
-    Unless the centre is wished, the velocities are projected on AB where it would serve the velocity of B alone, and a
-    vector equation takes its place where it is remote: both are shorter.
+    Unless the centre is wished, the velocities are projected on AB where it would serve the velocity of B alone, which
+    is one line, and a vector equation takes its place where it is remote: no thin triangle, no long way off the page.
     """
     body, pole, point = group.body, group.pole, group.point_path.point
     vector(book, pole)
