@@ -166,8 +166,9 @@ def inspect(family: Family, form: Form, seeds: int, language_name: str) -> Tally
 def typesetting(drawings: list[Drawing]) -> float:
     """Milliseconds of the engine per figure, on the same figures in the same run."""
     data = [figure_data(drawing) for drawing in drawings]
-    page = '#import "figure.typ": draw-figure\n#import "common.typ": document-style\n#show: document-style.with("ru")\n'
-    page += "#for f in json(bytes(sys.inputs.data)).figures { draw-figure(f, 80mm, 0.8mm) }\n"
+    page = '#import "figure.typ": draw-figure\n#import "common.typ": document-style, inputs\n'
+    page += '#show: document-style.with("ru")\n'
+    page += "#for f in json(inputs.data).figures { draw-figure(f, 80mm, 0.8mm) }\n"
     with typesetter() as engine:
         (engine.root / "figures.typ").write_text(page, "utf-8")
 

@@ -49,8 +49,9 @@ def record(folder: Path, arguments: Sequence[str]) -> None:
             return self._engine.query(selector, **named)
 
         def _note(self, template: Path, named: dict[str, Any]) -> None:
-            inputs = {**self._made, **named}["sys_inputs"].values()
-            data = {name: (self._root / name).read_bytes() for name in inputs if name.endswith(".json")}
+            (told,) = {**self._made, **named}["sys_inputs"].values()  # the file that names the others
+            inputs = json.loads((self._root / told).read_text("utf-8")).values()
+            data = {name: (self._root / name).read_bytes() for name in (told, *inputs) if name.endswith(".json")}
             # Names in the order of the calls, whichever process makes them.
             with (folder / f"{time.monotonic_ns():020}-{os.getpid()}.call").open("wb") as file:
                 pickle.dump((template.relative_to(self._root), self._made, named, data), file, pickle.HIGHEST_PROTOCOL)

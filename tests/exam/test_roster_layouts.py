@@ -47,6 +47,8 @@ def test_a_title_above_the_header(tmp_path: Path) -> None:
         ("id,Full name,First name\n7,Lee Ann,Ann\n", "Lee Ann"),
         ("id,First name,Surname,Full name\n7,Ann,Lee,Ann Lee\n", "Ann Lee"),
         ("id,First name\n7,Ann\n", "Ann"),
+        ("№ п/п;Фамилия;Имя Отчество;№ зач. кн.\n1;Ёлкина;Анна Львовна;7\n", "Ёлкина Анна Львовна"),
+        ("No,Matr. no.,Name\n1,7,Lee Ann\n", "Lee Ann"),
     ],
 )
 def test_a_name_in_parts(text: str, name: str, tmp_path: Path) -> None:

@@ -10,11 +10,11 @@ import pytest
 from tests.contracts.test_families import arcs_and_labels
 from tests.figure.reading import FORMS, arrows, dots, has_arrow, variants_of, view_drawings
 from variantgen.exam.solution_figures import SolutionFigures
-from variantgen.figure.build import mechanism, statement_figure
+from variantgen.figure.build import Mechanism, statement_figure
 from variantgen.figure.drawing import Drawing, Layer
 from variantgen.figure.faults import inspect_labels
 from variantgen.figure.motion.motion_board import LEAST
-from variantgen.figure.motion.motion_data import motion_data
+from variantgen.figure.motion.motion_data import MovingMechanism, motion_data
 from variantgen.figure.motion.vectors import vectors_of
 from variantgen.figure.views import accelerations, velocities, view_names
 from variantgen.mechanism.motion import Motion
@@ -54,9 +54,10 @@ def size_of_vectors(motion: Motion, i: int, points: list[str], drawing: Drawing)
 @pytest.mark.parametrize(("name", "form"), FORMS)
 def test_velocities_are_drawn_to_one_scale_in_their_directions(name: str, form: str) -> None:
     for variant, motion, i, drawing in drawings(name, form, 1):
-        found = motion_data(variant, motion, i, asked_quantities(variant), 1)
-        points = vectors_of(variant, motion, i, asked_quantities(variant), 1, EN).telling(found.chain.points)
-        assert {q.point for q in found.task.asked if q.kind == "v"} - found.chain.resting <= set(points)
+        mechanism = MovingMechanism(variant, motion, i, asked_quantities(variant), EN)
+        chain = motion_data(mechanism, 1).chain
+        points = vectors_of(mechanism, 1).telling(chain.points)
+        assert {q.point for q in mechanism.asked if q.kind == "v"} - chain.resting <= set(points)
         size = size_of_vectors(motion, i, points, drawing)
         found = arrows(drawing, Layer.SLIDER)
         for point in points:
@@ -164,8 +165,9 @@ def test_asked_accelerations_are_drawn_in_their_directions(name: str, form: str)
         asked = [q.point for q in asked_quantities(variant) if q.kind == "a"]
         drawn = [tip - start for start, tip in arrows(drawing, Layer.SLIDER)]
         assert drawn
-        named = vectors_of(variant, motion, i, asked_quantities(variant), 2, EN)
-        parts = accelerations.components(motion_data(variant, motion, i, asked_quantities(variant), 2), named)
+        mechanism = MovingMechanism(variant, motion, i, asked_quantities(variant), EN)
+        named = vectors_of(mechanism, 2)
+        parts = accelerations.components(motion_data(mechanism, 2), named)
         largest = max(abs(vector) for named in parts.values() for _, vector in named)
         for point in asked:
             vector = complex(motion.a[point][i])
@@ -188,7 +190,7 @@ def test_letters_find_room_on_the_paper(name: str, form: str, order: int) -> Non
 @pytest.mark.parametrize(("name", "form"), [("four_bar", "crank"), ("ladder", "oblique"), ("spool", "")])
 def test_the_mechanism_alone_shows_no_data(name: str, form: str) -> None:
     variants, motion, asked = variants_of(name, form, 1)
-    board = mechanism(variants[0], motion, 0, asked, EN, marks=False)
+    board = Mechanism(variants[0], motion, 0, asked, EN).board(marks=False)
     plain = board.sketch.finish({})
     whole = statement_figure(variants[0], motion, 0, asked, EN)
     points = {to_plain(board.symbol(p)) for p in board.shown}

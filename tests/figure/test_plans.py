@@ -17,7 +17,7 @@ from variantgen.errors import InputError
 from variantgen.families.parameters.units import unit
 from variantgen.figure.drawing import THIN, Drawing, Layer, Path
 from variantgen.figure.faults import inspect_labels
-from variantgen.figure.motion.motion_data import motion_data
+from variantgen.figure.motion.motion_data import MovingMechanism, motion_data
 from variantgen.figure.motion.plans import COINCIDENT, PlanVector, round_length
 from variantgen.figure.motion.vectors import vectors_of
 from variantgen.figure.views import acceleration_plan, velocity_plan
@@ -92,8 +92,9 @@ def about_poles(vectors: list[PlanVector], points: list[str], kind: str) -> list
 def test_sides_are_perpendicular_to_the_links(name: str, form: str) -> None:
     variants, motion, asked = variants_of(name, form, SEEDS)
     for i, variant in enumerate(variants):
-        found = motion_data(variant, motion, i, asked, 1)
-        plan = velocity_plan.velocity_plan(found, vectors_of(variant, motion, i, asked, 1, EN, methods=("graphical",)))
+        mechanism = MovingMechanism(variant, motion, i, asked, EN)
+        found = motion_data(mechanism, 1)
+        plan = velocity_plan.velocity_plan(found, vectors_of(mechanism, 1, methods=("graphical",)))
         for vector, point, pole in about_poles(plan.vectors, list(motion.z), "v"):
             arm = complex(motion.z[point][i] - motion.z[pole][i])
             side = vector.end - vector.start
@@ -107,8 +108,9 @@ def test_components_lead_from_the_pole_of_the_body_to_the_point(name: str, form:
         return
     bodies = motion.scene.bodies
     for i, variant in enumerate(variants):
-        found = motion_data(variant, motion, i, asked, 2)
-        named = vectors_of(variant, motion, i, asked, 2, EN, methods=("graphical",))
+        mechanism = MovingMechanism(variant, motion, i, asked, EN)
+        found = motion_data(mechanism, 2)
+        named = vectors_of(mechanism, 2, methods=("graphical",))
         plan = acceleration_plan.acceleration_plan(found, named)
         turning = about_poles(plan.vectors, list(motion.z), "a")
         scale = max(abs(complex(a[i])) for a in motion.a.values())
@@ -145,8 +147,9 @@ def test_compound_accelerations_close(name: str, form: str) -> None:
     if max(q.order for q in asked) < 2 or not paths:
         return
     for i, variant in enumerate(variants):
-        found = motion_data(variant, motion, i, asked, 2)
-        named = vectors_of(variant, motion, i, asked, 2, EN, methods=("graphical",))
+        mechanism = MovingMechanism(variant, motion, i, asked, EN)
+        found = motion_data(mechanism, 2)
+        named = vectors_of(mechanism, 2, methods=("graphical",))
         plan = acceleration_plan.acceleration_plan(found, named)
         scale = max(abs(complex(a[i])) for a in motion.a.values())
         given = {p.symbol: EN.symbol(p.symbol, {}) for p in variant.form.parameters.values() if p.unit}

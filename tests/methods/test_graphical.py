@@ -18,7 +18,7 @@ from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
 from variantgen.families.quantities import parse_quantity
 from variantgen.figure.drawing import Layer
-from variantgen.figure.motion.motion_data import motion_data
+from variantgen.figure.motion.motion_data import MovingMechanism, motion_data
 from variantgen.figure.motion.plans import COINCIDENT, scale_of_plan, without_millimetres
 from variantgen.figure.motion.vectors import vectors_of
 from variantgen.figure.views import acceleration_plan, velocity_plan
@@ -126,8 +126,9 @@ def test_a_ruler_on_the_printed_plan_gives_the_readings(name: str, form: str) ->
         symbols = Symbols(item.form, EN, load_phrases("en"), {})
         everything = readings(solution(item, ["graphical"]))
         for order, module, make in VIEWS[: item.order]:
-            state = motion_data(item.variant, motion, index, asked, order)
-            plan = make(state, vectors_of(item.variant, motion, index, asked, order, EN, methods=("graphical",)))
+            mechanism = MovingMechanism(item.variant, motion, index, asked, EN)
+            state = motion_data(mechanism, order)
+            plan = make(state, vectors_of(mechanism, order, methods=("graphical",)))
             drawing = module.draw(item.variant, motion, index, asked, EN)
             lengths = [end - start for start, end in arrows(drawing, Layer.VECTOR)]
             for value in drawn(everything, "va"[order - 1], item, state.chain):
@@ -168,7 +169,7 @@ def test_text_and_figure_have_one_scale(name: str, form: str) -> None:
         index = variants.index(item.variant)
         for order in range(1, item.order + 1):
             plan = graphical.begun(item, "va"[order - 1])
-            state = motion_data(item.variant, motion, index, asked, order)
+            state = motion_data(MovingMechanism(item.variant, motion, index, asked, EN), order)
             assert float(scale_of_plan(state.chain, state.now, order, state.unit).value) == plan.scale.exact
     if tasks(name, form):
         drawing = velocity_plan.draw(item.variant, motion, index, asked, EN)

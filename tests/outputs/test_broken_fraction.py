@@ -10,7 +10,7 @@ ABOVE = Sum(((-1, Number("2")), (1, Symbol("b")), (-1, Number("5"))))
 
 def said(formula: Formula) -> list[tuple[str, str]]:
     """What is read out of each piece, with the sign before it."""
-    return [(sign, markup.plain) for sign, markup, _ in in_the_line("=", formula)]
+    return [(sign, markup.plain) for sign, markup in in_the_line("=", formula)]
 
 
 def test_a_quotient_is_broken_before_the_terms_of_its_sum() -> None:

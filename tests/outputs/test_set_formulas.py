@@ -78,7 +78,7 @@ PAGES = """#import "common.typ": *
 #show: document-style.with("ru")
 #set page(width: 200pt, height: 60pt, margin: 9pt)
 #for made in (equation, formula) {
-  for markup in json(sys.inputs.data) { page(align(center, box(made(markup)) + [.])) }
+  for markup in json(inputs.data) { page(align(center, box(made(markup)) + [.])) }
 }
 """
 NUMBER = r"-?[\d.]+(?:e-?\d+)?"
@@ -101,13 +101,16 @@ def pages() -> list[list[Glyph]]:
     import typst
 
     known = {"data": MARKUP, "set-formulas": set_formulas(MARKUP, longer=True)}
-    inputs = {"form": "svg", **{name: f"{name}.json" for name in known}}
+    names = {name: f"{name}.json" for name in known}
+    files = {**known, "inputs": {"form": "svg", **names}}
     with typesetter() as engine:
-        for name, found in known.items():
-            (engine.root / inputs[name]).write_text(json.dumps(found), "utf-8")
+        for name, found in files.items():
+            (engine.root / f"{name}.json").write_text(json.dumps(found), "utf-8")
         source = engine.root / "pages.typ"
         source.write_text(PAGES, "utf-8")
-        made = typst.compile(source, root=engine.root, format="svg", ignore_system_fonts=True, sys_inputs=inputs)
+        made = typst.compile(
+            source, root=engine.root, format="svg", ignore_system_fonts=True, sys_inputs={"inputs": "inputs.json"}
+        )
     assert isinstance(made, list)
     found = []
     for page in made:

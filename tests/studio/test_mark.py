@@ -343,6 +343,30 @@ def test_a_scan_is_looked_at_beside_the_answers(visit: Callable[..., Visit], sca
     page.get_by_text("This page cannot be shown").wait_for()
 
 
+def test_an_answer_on_its_way_stays_in_its_field(visit: Callable[..., Visit], scan_exam: Built) -> None:
+    """What the page shows meanwhile is older; it knows nothing of it yet."""
+    window = visit((scan_exam.folder.parent / "exam.toml").read_text("utf-8"))
+    shutil.copytree(scan_exam.folder, window.folder / "builds" / BUILD)
+    page = window.open("/exam/mark")
+    first = page.locator("[data-answer] input").first
+    held: list[Any] = []
+    page.route("**/mark/say*", lambda route: held.append(route))  # noqa: PLW0108  # the browser marks the function
+    first.fill("12,5")
+    first.press("Enter")
+    while not held:
+        page.wait_for_timeout(20)
+    with page.expect_response("**/mark/shown*"):
+        page.evaluate("dispatchEvent(new CustomEvent('exam'))")
+    page.wait_for_timeout(100)
+    expect(first).to_have_value("12,5")
+    held[0].continue_()
+    page.get_by_text("Handed in: 1 of 3").wait_for()
+    expect(first).to_have_value("12,5")
+    # One question across the class, by its symbol.
+    page.get_by_role("button", name="By question").click()
+    expect(page.locator(".people[data-of=questions] math").first).to_be_visible()
+
+
 def builds_made(monkeypatch: pytest.MonkeyPatch) -> list[MarkedBuild]:
     """The marks of builds that are begun from now on."""
     marked: list[MarkedBuild] = []

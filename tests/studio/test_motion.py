@@ -8,8 +8,10 @@ from typing import Any
 import pytest
 
 from tests.studio.asking import Asking
+from variantgen.outputs.figures.svg import lettering
 from variantgen.single import asked_quantities, one_variant
 from variantgen.studio.motion import motion_of
+from variantgen.wording.formula import Symbol
 
 
 def played(family: str, form: str = "", ask: tuple[str, ...] = ()) -> dict[str, Any]:
@@ -60,6 +62,14 @@ def test_parts_of_a_motion_along_a_rocker_lead_from_its_own_to_the_whole() -> No
             assert abs(ends[-1] - complex(*whole["by"][i])) < 0.05
             carried, rel = ends[0] if kind == "velocities" else ends[1] - ends[0], complex(*chain[-1]["by"][i])
             assert abs((carried.conjugate() * rel).real) <= 0.02 * (abs(carried) + abs(rel) + 1)
+
+
+def test_poles_of_plans_have_letters_of_their_own() -> None:
+    """The pole is o, or p where a point O moves, of accelerations always pi, as in plans of worked solutions."""
+    crank, wheel = played("four_bar", "crank"), played("rolling_wheel")
+    assert any(one["end"] == lettering(Symbol("o")) for one in wheel["velocities"]["vectors"])
+    assert [one["velocities"]["pole"] for one in (crank, wheel)] == [lettering(Symbol("o")), lettering(Symbol("p"))]
+    assert crank["accelerations"]["pole"] == wheel["accelerations"]["pole"] == lettering(Symbol("pi"))
 
 
 def test_way_and_frames_have_one_length() -> None:

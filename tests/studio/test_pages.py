@@ -91,6 +91,57 @@ def test_words_of_the_bottom_bar_have_room(visit: Open, language: str) -> None:
         assert left >= 4 and right >= 4 and high < 24, (word, left, right, high)
 
 
+# What of the bar above lies outside the window, or on its neighbour.
+_OUTSIDE = """() => {
+  const parts = [...document.querySelectorAll(".top > *, .top li, .acts > *")];
+  const seen = parts.filter(part => part.offsetParent && getComputedStyle(part).position !== "fixed");
+  const box = part => part.getBoundingClientRect(), name = part => part.id || part.className || part.textContent.trim();
+  const out = seen.filter(part => box(part).right > innerWidth || box(part).left < 0);
+  const kids = seen.filter(part => part.parentElement.className === "top");
+  return [...out, ...kids.filter((part, i) => i && box(part).left < box(kids[i - 1]).right - 1)].map(name);
+}"""
+
+
+@pytest.mark.parametrize("language", ["en", "ru"])
+def test_the_bar_above_has_room(visit: Open, language: str) -> None:
+    """At no width is anything of it cut off; where the tools have no room, the menu of the exam has them."""
+    page = visit(EXAM.replace('"Homework"', '"Homework 2. Plane motion, second part"')).open("/exam/build", language)
+    tools, menu = page.locator(".tools a"), page.locator(".menu .tool a")
+    page.locator("details.exam summary").click()
+    for width in (1920, 1280, 1100, 1024, 900, 860, 780, 360):
+        page.set_viewport_size({"width": width, "height": 740})
+        assert page.evaluate(_OUTSIDE) == [], width
+        assert [place.first.is_visible() for place in (tools, menu)] == [width > 880, width <= 880], width
+        assert menu.count() == tools.count() == 2
+
+
+def test_cards_are_filtered_by_method(visit: Open) -> None:
+    """Methods narrow the cards together; where nothing fits, the nearest words of the cards are offered."""
+    page = visit().open("/exam/choose")
+    page.wait_for_selector("#cards[aria-busy=false]")
+    page.get_by_text("Method", exact=True).click()
+    card = page.locator(".card:visible")
+    page.get_by_label("Three angular velocities").check()  # a closed chain of three links that turn
+    assert {one.split("/")[0] for one in card.evaluate_all("all => all.map(one => one.dataset.card)")} == {
+        "four_bar", "four_bar_with_sleeve", "limit_positions",
+    }  # fmt: skip
+    page.get_by_label("Relative motion of a point").check()  # and a collar besides
+    expect(card).to_have_count(1)
+    expect(card).to_have_attribute("data-card", "four_bar_with_sleeve/-")
+    page.get_by_role("button", name="Clear").click()
+    for slip, right, found in (
+        ("planettary", "planetary", "planetary_train/ring"),
+        ("кулсный", "кулисный", "slotted_rocker/swinging"),
+    ):
+        page.get_by_role("searchbox").fill(slip)
+        expect(card).to_have_count(0)
+        page.locator("#nearest").get_by_role("button", name=right, exact=True).click()
+        expect(page.locator(f'[data-card="{found}"]')).to_be_visible()
+    page.get_by_role("searchbox").fill("xyzzyxyzzy")
+    page.locator("#nearest").get_by_role("button", name="Gears").click()
+    expect(page.locator('[data-card="planetary_train/ring"]')).to_be_visible()
+
+
 def test_an_exam_begins_with_pictures(visit: Open) -> None:
     window = visit("", name="empty")  # an empty file is no exam
     page = window.open("/")
@@ -148,6 +199,11 @@ def test_an_exam_is_composed_by_sliders(visit: Open) -> None:
     shows(page, 'seed = 2026\n\n[[problem]]\nfamily = "spool"')
     found = saved(window)["problem"]
     assert [problem["family"] for problem in found] == ["spool", "four_bar"]
+    page.locator("#outline li:nth-child(2) a").drag_to(page.locator("#outline li:nth-child(1) a"))
+    shows(page, 'seed = 2026\n\n[[problem]]\nfamily = "four_bar"')
+    page.locator("#outline li:nth-child(2) a").drag_to(page.locator("#outline li:nth-child(1) a"))
+    shows(page, 'seed = 2026\n\n[[problem]]\nfamily = "spool"')
+    found = saved(window)["problem"]
     assert found[1]["ask"] == ["v_B", "omega_AB", "omega_BC"] and found[0]["points"] == 7
     page.get_by_text("The whole exam").click()
     page.get_by_label("Page for answers with bubbles").check()
@@ -161,6 +217,77 @@ def test_an_exam_is_composed_by_sliders(visit: Open) -> None:
         expect(page.locator("#source")).not_to_have_value(before)
     assert (window.folder / "exam.toml").read_text() == EXAM
     assert window.complaints == []
+
+
+def test_an_empty_exam_has_suggestions(visit: Open) -> None:
+    window = visit('schema = 1\ntitle = "New"\nlanguage = "en"\n')
+    page = window.open("/exam/compose")
+    suggested = page.locator("#empty button")
+    assert suggested.count() == 3
+    suggested.filter(has_text="Slider-crank").click()
+    page.wait_for_selector("#live svg")
+    assert saved(window)["problem"] == [{"family": "slider_crank", "form": "central", "points": 10}]
+    expect(page.locator("#empty")).to_be_hidden()
+    page.locator("#undo").click()
+    expect(suggested.first).to_be_visible()
+    assert "problem" not in saved(window)
+
+
+def test_what_is_broken_is_told_in_the_language_of_the_page(visit: Open) -> None:
+    """On every page of the exam, with the way to where it is mended; in the list of exams, too."""
+    window = visit("broken = [\n" + EXAM)
+    for path in ("/exam/choose", "/exam/build", "/exam/compose", "/?all"):
+        text = window.open(path, "ru").locator("main").inner_text()
+        assert "это не TOML" in text and "is not valid" not in text, path
+    page = window.open("/exam/build", "ru")
+    page.locator(".notice a").click()
+    page.wait_for_url("**/exam/compose")
+    page.locator("#source").wait_for()
+
+
+def test_what_is_wrong_stands_at_its_field(visit: Open) -> None:
+    """Below the field, until something right is typed or it is set back; nothing of it comes into the file."""
+    window = visit()
+    page = window.open("/exam/compose")
+    page.wait_for_selector("#live svg")
+    points, told = page.get_by_label("Points of problem 2"), page.locator("#outline li:nth-child(2) .error")
+    for typed, said in (
+        ("99999999999999999999", "from 0 to 1000"),
+        ("3.5", "whole number"),
+        ("many", "Expected a number"),
+    ):
+        points.fill(typed)
+        points.press("Enter")
+        expect(told).to_contain_text(said)
+        expect(points).to_have_attribute("aria-invalid", "true")
+    assert barriers(page) == []
+    told.get_by_role("button", name="Reset").click()
+    expect(told).to_have_count(0)
+    assert points.input_value() == "5"
+    page.get_by_text("The whole exam").click()
+    tolerance = page.locator(".settings").get_by_label("Tolerance, %")
+    for typed in ("0", "-1", "20", "1000"):
+        tolerance.fill(typed)
+        tolerance.press("Enter")
+        expect(page.locator(".settings .error")).to_contain_text("above 0 and below 20")
+    assert (window.folder / "exam.toml").read_text() == EXAM
+    tolerance.fill("1,5")
+    tolerance.press("Enter")
+    shows(page, "tolerance = 0.015")
+    expect(page.locator(".settings .error")).to_have_count(0)
+
+
+def test_problems_that_are_added_quickly_keep_their_order(visit: Open) -> None:
+    """Three clicks before the first edit has been answered."""
+    window = visit()
+    page = window.open("/exam/choose")
+    page.wait_for_selector("#cards[aria-busy=false]")
+    page.route("**/exam/edit", lambda route: (page.wait_for_timeout(200), route.continue_()))
+    page.evaluate("""for (const name of ["rolling_wheel/-", "falling_rod/-", "arc_yoke/-"])
+        document.querySelector(`[data-card="${name}"] [data-do=add]`).click()""")
+    expect(page.locator('[data-under="choose"]')).to_have_text("5\N{NO-BREAK SPACE}problems")
+    wanted = ["four_bar", "spool", "rolling_wheel", "falling_rod", "arc_yoke"]
+    assert [problem["family"] for problem in saved(window)["problem"]] == wanted
 
 
 def test_text_with_mistakes_stays_a_draft(visit: Open) -> None:
@@ -195,6 +322,29 @@ def test_windows_and_editors_see_each_other(visit: Open) -> None:
     one.locator('[data-card="ladder/driven_at_wall"] .badge').wait_for()
     two.locator('[data-card="ladder/driven_at_wall"] .badge').wait_for()
     assert first.complaints == second.complaints == []
+
+
+@pytest.mark.parametrize(("choice", "kept"), [("Keep mine", 12), ("Take that", 11)])
+def test_the_same_field_in_two_windows(visit: Open, choice: str, kept: int) -> None:
+    """One has not heard of the edit of the other: both values are shown, one is chosen, both windows have it."""
+    first, second = visit(), visit()
+    second.page.route("**/events", lambda route: route.abort())
+    one, two = first.open("/exam/compose"), second.open("/exam/compose")
+    fields = [page.get_by_label("Points of problem 1") for page in (one, two)]
+    for page in (one, two):
+        page.wait_for_selector("#live svg")
+    fields[0].fill("11")
+    fields[0].press("Enter")
+    shows(one, "points = 11")
+    fields[1].fill("12")
+    fields[1].press("Enter")
+    two.get_by_text("Changed in another window to 11. Yours: 12").wait_for()
+    assert saved(first)["problem"][0]["points"] == 11
+    two.get_by_role("button", name=choice).click()
+    for page, field in zip((one, two), fields, strict=True):
+        shows(page, f"points = {kept}")
+        expect(field).to_have_value(str(kept))
+    assert saved(first)["problem"][0]["points"] == kept
 
 
 @pytest.mark.parametrize("choice", ["Keep mine", "Take the file"])
@@ -242,6 +392,41 @@ def test_answers_that_refuse_hold_nothing_up(visit: Open) -> None:
     page.unroute("**/exam/edit")
     page.get_by_text("17\N{NO-BREAK SPACE}points").first.wait_for()
     assert saved(window)["problem"][0]["points"] == 12 and page.locator("#offline").is_hidden()
+
+
+def test_keys_lead_everywhere(visit: Open) -> None:
+    """By position, so that they work with any layout; keys of one letter can be switched off and stay so."""
+    window = visit()
+    page = window.open("/exam/compose")
+    page.wait_for_selector("#live svg")
+    for digit, name in enumerate(("choose", "compose", "roster", "build", "mark", "author", "play"), start=1):
+        page.keyboard.press(f"Alt+Shift+Digit{digit}")
+        page.wait_for_url(f"**/exam/{name}")
+    now = page.locator("#now")
+    expect(now).to_have_text(re.compile("φ = "))
+    pressed = page.get_by_role("button", name="Paths")
+    expect(pressed).to_have_attribute("aria-pressed", "true")
+    page.keyboard.press("Digit3")
+    expect(pressed).to_have_attribute("aria-pressed", "false")
+    page.keyboard.press("F1")
+    page.get_by_label("Keys of a single letter or digit act, too").uncheck()
+    assert barriers(page) == []
+    page.keyboard.press("Escape")
+    page.reload()
+    expect(now).to_have_text(re.compile("φ = "))
+    page.keyboard.press("Digit3")
+    page.keyboard.press("?")
+    expect(pressed).to_have_attribute("aria-pressed", "true")
+    expect(page.locator("#keys")).to_be_hidden()
+    page.keyboard.press("Control+s")
+    page.get_by_text("Already saved").wait_for()
+    page = window.open("/exam/choose")
+    page.wait_for_selector("#cards[aria-busy=false]")
+    page.keyboard.press("Control+k")
+    expect(page.get_by_role("searchbox")).to_be_focused()
+    page.keyboard.press("Control+Enter")  # the filled button
+    page.wait_for_url("**/exam/compose*")
+    assert window.complaints == []
 
 
 def test_a_mechanism_is_played(visit: Open) -> None:
@@ -299,6 +484,16 @@ def test_a_family_is_written_and_used(visit: Open) -> None:
     page.locator("#oops").get_by_role("button", name="Change to phi").click()
     expect(page.locator("#oops")).to_be_hidden()
     assert (home / "statement.ru.j2").read_text("utf-8") == right
+    # By keyboard: from the statement to the names, one of them into it.
+    russian.focus()
+    page.keyboard.press("Control+End")
+    page.keyboard.press("Control+Space")
+    expect(page.locator("#names button").first).to_be_focused()
+    page.keyboard.press("ArrowRight")
+    page.keyboard.press("Enter")
+    expect(russian).to_have_value(re.compile(r"\{\{ \w+ \}\}$"))
+    expect(russian).to_be_focused()
+    russian.fill(right)
     # A mistake in the file is told at its line, the figure stays.
     file = page.get_by_role("textbox", name="family.toml")
     text = file.input_value()

@@ -94,6 +94,20 @@ def test_a_pasted_table_becomes_the_class(visit: Callable[..., Visit]) -> None:
     assert window.complaints == []
 
 
+def test_what_is_set_back_can_be_changed_again(visit: Callable[..., Visit]) -> None:
+    """The table is then as it was two answers before: what was made of its old version is not asked for again."""
+    page = visit().open("/exam/roster")
+    paste(page, OFFICE)
+    column, sign = page.get_by_label("Column D is"), page.locator(".report")
+    for kind in ("group", "", "group", ""):
+        with page.expect_response("**/roster/shown*"):
+            column.select_option(kind)
+        expect(sign).to_contain_text("ME-21") if kind else expect(sign).not_to_contain_text("ME-21")
+    with page.expect_response("**/roster/say*"):
+        page.get_by_role("button", name="One person").click()
+    page.get_by_role("button", name="Use: 2").wait_for()
+
+
 def paste(page: Any, table: str) -> None:
     page.get_by_role("button", name="Paste a table").click()
     page.get_by_role("textbox").fill(table)

@@ -328,7 +328,7 @@ def set_by_the_engine(engine: Typesetter, formulas: list[Formula], path: Path) -
     """The text on the page of each formula, as a reader of PDF finds it."""
     (engine.root / "formulas.typ").write_text(
         '#import "common.typ": *\n#show: document-style.with("ru")\n#set page(width: 300mm, height: auto)\n'
-        "#for markup in json(sys.inputs.data) { formula(markup); pagebreak(weak: true) }\n",
+        "#for markup in json(inputs.data) { formula(markup); pagebreak(weak: true) }\n",
         "utf-8",
     )
     path.write_bytes(engine.compile("formulas.typ", [markup(formula) for formula in formulas])[0])

@@ -216,7 +216,7 @@ ANYTHING = st.recursive(ANY_LEAF, layer, max_leaves=8)
 @given(st.lists(ANYTHING, min_size=25, max_size=25))
 def test_the_engine_takes_anything(formulas: list[Formula]) -> None:
     with typesetter() as engine:
-        source = '#import "common.typ": formula\n#for markup in json(sys.inputs.data) { formula(markup) }\n'
+        source = '#import "common.typ": formula, inputs\n#for markup in json(inputs.data) { formula(markup) }\n'
         (engine.root / "any.typ").write_text(source, "utf-8")
         assert engine.compile("any.typ", [markup(formula) for formula in formulas])
 

@@ -47,7 +47,9 @@ def parts(item: Expression) -> list[Value]:
 
 
 def walk(item: Expression) -> Iterator[Expression]:
-    """The expression and all its parts."""
-    yield item
-    for operand in item.operands():
-        yield from walk(operand)
+    """The expression and all its parts, from left to right."""
+    waiting = [item]
+    while waiting:
+        part = waiting.pop()
+        yield part
+        waiting += reversed(part.operands())

@@ -13,6 +13,7 @@ from variantgen.figure.equations.body_board import FigureSubject
 from variantgen.figure.faults import figure_faults, vector_faults
 from variantgen.figure.graph import solved_grid
 from variantgen.figure.letter_run import INDEX
+from variantgen.figure.motion.motion_data import MovingMechanism
 from variantgen.figure.views import view
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.graphical.plan_scale import MILLIMETRES
@@ -87,6 +88,7 @@ class SolutionFigures:
         self._geometry = text.geometry if text else {}
         self._true_scale = bool(text and text.true_scale)
         self._shown = (*asked, *(text.centres if text else ()))
+        self._mechanism = MovingMechanism(variant, *place, self._shown, language)
         self._drawn: dict[str, Drawing] = {} if known is None else {STATEMENT: known}
 
     def draw(self, names: Sequence[str]) -> None:
@@ -113,9 +115,7 @@ class SolutionFigures:
             drawn = solved_grid(self.variant, which, self.language)
         elif which:
             marked = self._geometry.get(name, NOTHING_MARKED)
-            subject = FigureSubject(
-                self.variant, *self._place, self._shown, self.language, self._poses, marked, self._true_scale
-            )
+            subject = FigureSubject(self._mechanism, self._poses, marked, self._true_scale)
             drawn = view(kind).draw(subject, self._vectors, which)
         else:
             scaled = {} if kind.endswith("_plan") else {"true_scale": self._true_scale}

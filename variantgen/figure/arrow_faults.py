@@ -122,7 +122,7 @@ def _meets(shaft: Shaft, segments: np.ndarray, gap: float) -> bool:
 
 
 def _segments(lines: Sequence[Line]) -> np.ndarray:
-    return np.array([s for line in lines for s in segments_of(line)], dtype=complex).reshape(-1, 2)
+    return segments_of(lines)[0]
 
 
 def _is_own(line: Line, shaft: Shaft) -> bool:

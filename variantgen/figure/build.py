@@ -5,9 +5,9 @@ from __future__ import annotations
 import importlib
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
-from functools import cache, partial
-from types import ModuleType
+from dataclasses import dataclass, replace
+from functools import cache, cached_property, partial
+from types import MappingProxyType, ModuleType
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.family import Form
@@ -24,6 +24,7 @@ from variantgen.figure.sketch import DOT, HINGE, Sketch
 from variantgen.figure.symbols.gears import contour
 from variantgen.mechanism.motion import Motion, take_scene
 from variantgen.mechanism.rows import Constraint
+from variantgen.mechanism.scene import Scene
 from variantgen.variants.printed_data import given_names, shown_points
 from variantgen.variants.variant import Variant
 from variantgen.wording.language import Language
@@ -47,7 +48,7 @@ def statement_figure(
     Raises InputError where there is nothing to draw or points that a symbol needs apart coincide (the screens keep
     drawn variants away from that; data fixed by hand may lead there).
     """
-    board = mechanism(variant, motion, index, asked, language)
+    board = Mechanism(variant, motion, index, asked, language).board()
     tell = partial(_alt_text, board, asked)
     figure = replace(finished(board), tell=tell, language=language.name, poses=board.poses)
     return with_graphs(figure, variant, language, grids)
@@ -66,75 +67,95 @@ def finished(board: Board) -> Drawing:
     return board.sketch.finish({name: board.sketch.at[name] for name in board.shown})
 
 
-def mechanism(
-    variant: Variant,
-    motion: Motion,
-    index: int,
-    asked: Sequence[Quantity],
-    language: Language,
-    marks: bool = True,
-    size: float = 1.0,
-    scale: float | None = None,
-    poses: Mapping[str, float] | None = None,
-) -> Board:
-    """The mechanism of a variant on a board, its labels not yet placed: the statement's figure or the base of another.
+@dataclass(frozen=True)
+class Mechanism:
+    """A variant of a solved batch, what is asked of it and in which language: what all its figures have in common."""
 
-    Without ``marks`` it shows no data: no angles, lengths, radii, axes, no arrows of given motion. ``size`` is its size
-    in proportion to that in the statement, a ``scale`` (u per metre) is kept whether it fits or not. Supports stand as
-    the ``poses`` say, where they say it. Raises InputError like :func:`statement_figure`.
-    """
-    try:
-        return _fitted(variant, motion, index, asked, language, marks, size, scale, poses or {})
-    except (ZeroDivisionError, OverflowError):
-        raise InputError(
-            Problem(
-                "cannot be drawn: points that its symbols need apart coincide, or its proportions are extreme",
-                key="figure",
-                value=variant.family.name,
-                remedy="change the data, or the hints of the family that name these points",
-            )
-        ) from None
+    variant: Variant
+    motion: Motion
+    index: int
+    asked: Sequence[Quantity]
+    language: Language
 
+    @cached_property
+    def shown(self) -> tuple[str, ...]:
+        """The points that figures show. Raises InputError where there is none."""
+        shown = tuple(shown_points(self.variant, self.asked))
+        if not shown:
+            raise InputError(Problem("every point is hidden", key="figure.hidden", value=self.variant.family.name))
+        return shown
 
-def _fitted(
-    variant: Variant,
-    motion: Motion,
-    index: int,
-    asked: Sequence[Quantity],
-    language: Language,
-    marks: bool,
-    size: float,
-    kept: float | None,
-    poses: Mapping[str, float],
-) -> Board:
-    form = variant.form
-    shown = shown_points(variant, asked)
-    if not shown:
-        raise InputError(Problem("every point is hidden", key="figure.hidden", value=variant.family.name))
-    values = form.values({name: variant.si(name) for name in form.parameters})
-    z = {name: complex(motion.z[name][index]) for name in motion.z}
-    radii = [float(disc.radius.value(values)) for disc in form.figure.discs]
-    circles = [(z[d.centre], r) for d, r in zip(form.figure.discs, radii, strict=True) if not d.arc]
-    scale = kept or size * _scale([z[name] for name in shown], circles)
-    # A figure needs no constructions: where points are is known.
-    scene = take_scene(replace(motion.scene, points={}, conditions=()), index, motion.size)
-    given = frozenset(given_names(variant, asked)) if marks else frozenset()
-    while True:
-        sketch = Sketch({name: scale * place for name, place in z.items()}, scale)
-        board = Board(sketch, scene, form, language, tuple(shown), any(q.order == 2 for q in asked), given)
+    @cached_property
+    def places(self) -> dict[str, complex]:
+        """The places of all points (m)."""
+        return {name: complex(places[self.index]) for name, places in self.motion.z.items()}
+
+    @cached_property
+    def radii(self) -> list[float]:
+        """The radii of the discs (m)."""
+        form = self.variant.form
+        values = form.values({name: self.variant.si(name) for name in form.parameters}) if form.figure.discs else {}
+        return [float(disc.radius.value(values)) for disc in form.figure.discs]
+
+    @cached_property
+    def scene(self) -> Scene:
+        """The numbers of the variant; a figure needs no constructions: where points are is known."""
+        return take_scene(replace(self.motion.scene, points={}, conditions=()), self.index, self.motion.size)
+
+    def board(
+        self,
+        marks: bool = True,
+        size: float = 1.0,
+        scale: float | None = None,
+        poses: Mapping[str, float] = MappingProxyType({}),
+    ) -> Board:
+        """The mechanism on a board, its labels not yet placed: the figure of a statement or the base of another.
+
+        Without ``marks`` it shows no data: no angles, lengths, radii, axes, no arrows of given motion. ``size`` is its
+        size in proportion to that in the statement, a ``scale`` (u per metre) is kept whether it fits or not. Supports
+        stand as the ``poses`` say, where they say it. Raises InputError like :func:`statement_figure`.
+        """
+        try:
+            return self._drawn(marks, scale, poses) if scale else self._fitted(marks, size, poses)
+        except (ZeroDivisionError, OverflowError):
+            raise InputError(
+                Problem(
+                    "cannot be drawn: points that its symbols need apart coincide, or its proportions are extreme",
+                    key="figure",
+                    value=self.variant.family.name,
+                    remedy="change the data, or the hints of the family that name these points",
+                )
+            ) from None
+
+    def _fitted(self, marks: bool, size: float, poses: Mapping[str, float]) -> Board:
+        """The mechanism of a size with which it has room."""
+        discs = zip(self.variant.form.figure.discs, self.radii, strict=True)
+        circles = [(self.places[disc.centre], radius) for disc, radius in discs if not disc.arc]
+        scale = size * _scale([self.places[name] for name in self.shown], circles)
+        while True:
+            board = self._drawn(marks, scale, poses, most=1.0)
+            excess = _excess(board.sketch)
+            if excess <= 1:
+                return board
+            # Walls, guides and ropes, seldom data, reach beyond the paper: it is all drawn smaller.
+            scale *= 0.98 / excess
+
+    def _drawn(self, marks: bool, scale: float, poses: Mapping[str, float], most: float = math.inf) -> Board:
+        """The mechanism at a scale; without data where it alone takes more than its room, times ``most``."""
+        form, asked = self.variant.form, self.asked
+        sketch = Sketch({name: scale * place for name, place in self.places.items()}, scale)
+        given = frozenset(given_names(self.variant, asked)) if marks else frozenset()
+        second = any(quantity.order == 2 for quantity in asked)
+        board = Board(sketch, self.scene, form, self.language, self.shown, second, given)
         board.poses.update(poses)
-        on_paper = [r * scale for r in radii]
+        on_paper = [radius * scale for radius in self.radii]
         _draw_mechanism(board, on_paper, marks)
-        if kept or _excess(sketch) <= 1:
+        if most == math.inf or _excess(sketch) <= most:
             _draw_data(board, on_paper, marks)
             seen = [*asked, *map(split_name, form.figure.sketch)]
             if marks and has_axes(seen):
                 draw_axes(board, seen)
-        excess = _excess(sketch)
-        if kept or excess <= 1:
-            return board
-        # Walls, guides and ropes, seldom data, reach beyond the paper: it is all drawn smaller.
-        scale *= 0.98 / excess
+        return board
 
 
 def _excess(sketch: Sketch) -> float:

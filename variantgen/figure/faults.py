@@ -9,7 +9,7 @@ from itertools import combinations, pairwise
 import numpy as np
 
 from variantgen.figure.drawing import Arc, Drawing, Label, Layer, Line, Path
-from variantgen.figure.ink import crosses, gaps_to_box, segments_of
+from variantgen.figure.ink import boxes_crossed_by, gaps_to_box, segments_of, spans_of
 from variantgen.wording.formula import to_plain
 
 # A figure much longer than wide (or the other way round) does not fit beside its statement.
@@ -64,13 +64,9 @@ def count_label_faults(drawing: Drawing) -> int:
     covers = (step[0] <= half[:, :1] + half[:, 0]) & (step[1] <= half[:, 1:] + half[:, 1])
     overlaps = (int(np.sum(covers)) - len(places)) // 2
     segments, weights = _weighted(drawing.lines)
-    middle, half_segment = 0.5 * (segments[:, 0] + segments[:, 1]), 0.5 * (segments[:, 1] - segments[:, 0])
-    near = crosses(middle - places[:, None], half_segment, (half[:, :1] + weights, half[:, 1:] + weights))
+    near = boxes_crossed_by(spans_of(segments), places, (half[:, :1] + weights, half[:, 1:] + weights))
     own = leaders(drawing)
-    crossed = sum(
-        _free_space(drawing.labels[i], segments[near[i]], weights[near[i]], own) <= 0
-        for i in np.flatnonzero(near.any(axis=1))
-    )
+    crossed = sum(_free_space(drawing.labels[i], segments, weights, own) <= 0 for i in np.flatnonzero(near))
     return overlaps + crossed + sum(_leaves(label, drawing) for label in drawing.labels)
 
 
@@ -99,8 +95,10 @@ def misread_labels(drawing: Drawing) -> list[str]:
     half = 0.5 * np.array([label.size for label in named])
     sides = half[:, :1], half[:, 1:]
     gaps = gaps_to_box(places, sides, np.array(arrows))
-    mine = np.array([[arrow == label.arrow for arrow in arrows] for label in named])
-    misread = np.where(mine, np.inf, gaps).min(axis=1) < np.where(mine, gaps, np.inf).min(axis=1) - 1e-6
+    mine = (np.arange(len(named)), [arrows.index(label.arrow) for label in named if label.arrow is not None])
+    own = gaps[mine] - 1e-6
+    gaps[mine] = np.inf
+    misread = np.minimum.reduce(gaps, axis=1) < own
     ends = np.array([[line.points[-1]] * 2 for line in leaders(drawing)], dtype=complex).reshape(-1, 2)
     if misread.any():
         misread &= ~(gaps_to_box(places, sides, ends) < 1.0).any(axis=1)
@@ -144,9 +142,8 @@ def vector_faults(drawing: Drawing) -> list[str]:
 
 def _weighted(lines: tuple[Line, ...]) -> tuple[np.ndarray, np.ndarray]:
     """Segments of all lines, shape (S, 2), and half the weight of each, shape (S,)."""
-    parts = [(segments_of(line), 0.5 * line.weight) for line in lines]
-    segments = np.array([s for found, _ in parts for s in found], dtype=complex).reshape(-1, 2)
-    return segments, np.repeat([weight for _, weight in parts], [len(found) for found, _ in parts])
+    segments, counts = segments_of(lines)
+    return segments, np.repeat([0.5 * line.weight for line in lines], counts)
 
 
 def _free_space(label: Label, segments: np.ndarray, weights: np.ndarray, own: list[Path]) -> float:

@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 TABLE = Path(__file__).with_name("glyphs.json")
+STRETCHED = "s"  # kind of a sign in one of its sizes
 KERNING = "kerning"  # key of the pairs of letters, by how much they are moved apart
 _UNIT = 1e-3
 _STEP = re.compile(r"([mlcz])([^mlcz]*)")
@@ -75,8 +76,12 @@ def has_glyph(name: str) -> bool:
     return name in _rows()
 
 
+@cache
 def glyph(name: str, scale: float = 1.0) -> Glyph:
-    """A glyph by name: level (0, 1, 2), ``i`` (of a formula) or ``u`` (of a word), the letter. KeyError if missing."""
+    """A glyph by name: level (0, 1, 2), ``i`` (of a formula) or ``u`` (of a word), the letter. KeyError if missing.
+
+    Signs that grow with what they stand beside have the number of their size and ``s``.
+    """
     *lengths, path = _row(name)
     width, index_at, advance, bottom, top = (scale * _UNIT * float(x) for x in lengths)
     return Glyph(name, width, index_at, advance, bottom, top, str(path), scale)

@@ -3,29 +3,47 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from functools import cache
-from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.figure.drawing import Line, Path, Strokes
+from variantgen.figure.drawing import Arc, Line, Path, Strokes
 
 Segments = NDArray[np.complex128]
 Spans = NDArray[np.float64]
 Sides = float | NDArray[np.float64]
+_CORNERS = np.array([[1, 1, -1, -1], [1, -1, 1, -1]])  # signs of x and y at the corners of a box
 _SAGITTA = 0.04  # how far the chords of an arc may stay inside it, u
 
 
-def segments_of(line: Line, sagitta: float = _SAGITTA) -> list[tuple[complex, complex]]:
-    """Segments along a line; those of an arc stay within ``sagitta`` (u) of it."""
-    if isinstance(line, Strokes):
-        return list(line.segments)
+def corners_of(line: Path | Arc, sagitta: float = _SAGITTA) -> list[complex]:
+    """Where the segments that follow a line meet, and its ends; those of an arc stay within ``sagitta`` (u) of it."""
     if isinstance(line, Path):
-        return list(pairwise((*line.points, line.points[0]) if line.closed else line.points))
+        return [*line.points, line.points[0]] if line.closed else list(line.points)
     step = 2 * math.acos(max(0.0, 1 - sagitta / max(line.radius, sagitta)))
     count = max(2, math.ceil(abs(line.sweep) / step))
-    return list(pairwise((line.centre + line.radius * _directions(line.start, line.sweep, count)).tolist()))
+    found: list[complex] = (line.centre + line.radius * _directions(line.start, line.sweep, count)).tolist()
+    return found
+
+
+def segments_of(lines: Iterable[Line], sagitta: float = _SAGITTA) -> tuple[Segments, list[int]]:
+    """The segments that follow lines, shape (S, 2), and how many each line has."""
+    starts: list[complex] = []
+    ends: list[complex] = []
+    counts = []
+    for line in lines:
+        if isinstance(line, Strokes):
+            starts += [start for start, _ in line.segments]
+            ends += [end for _, end in line.segments]
+            counts.append(len(line.segments))
+        else:
+            corners = corners_of(line, sagitta)
+            starts += corners[:-1]
+            ends += corners[1:]
+            counts.append(len(corners) - 1)
+    return np.array((starts, ends), dtype=complex).T, counts
 
 
 def spaced(starts: Segments, steps: Segments, counts: NDArray[np.intp]) -> Segments:
@@ -73,6 +91,7 @@ def boxes_crossed_by(
     """Number of segments that cross the box about each place, shape (P,).
 
     The same as :func:`boxes_crossed` for segments that are asked again and again: ``spans`` are :func:`spans_of` them.
+    The half sides may also be given for each box and segment, shape (P, S).
     """
     hx, hy = half_sides
     middle_x, middle_y, way_x, way_y, dx, dy = spans
@@ -112,13 +131,17 @@ def gaps_to_box(
     """
     hx, hy = half_sides
     start, end = segments[:, 0] - place, segments[:, 1] - place
-    step = end - start
+    step_x, step_y = end.real - start.real, end.imag - start.imag
     # Ends of the segments to the box, corners of the box to the segments: the nearest pair is one of these.
     ends = np.array((start, end))
-    outside = np.hypot(np.maximum(np.abs(ends.real) - hx, 0), np.maximum(np.abs(ends.imag) - hy, 0)).min(axis=0)
-    square = step.real**2 + step.imag**2
-    corners = np.array([hx + 1j * hy, hx - 1j * hy, -hx + 1j * hy, -hx - 1j * hy])
-    from_corners = start - (corners if corners.ndim > 1 else corners[:, None])
-    part = -(from_corners * np.conj(step)).real / np.where(square > 0, square, 1.0)
-    gaps = np.minimum(outside, np.abs(from_corners + np.minimum(np.maximum(part, 0), 1) * step).min(axis=0))
-    return np.where(crosses(0.5 * (start + end), 0.5 * step, half_sides), 0.0, gaps)
+    aside, above = np.maximum(np.abs(ends.real) - hx, 0), np.maximum(np.abs(ends.imag) - hy, 0)
+    outside = np.minimum.reduce(aside * aside + above * above, axis=0)
+    square = step_x * step_x + step_y * step_y
+    signs = _CORNERS.reshape(2, 4, *[1] * start.ndim)
+    x, y = start.real - signs[0] * hx, start.imag - signs[1] * hy
+    part = -(x * step_x + y * step_y) / np.where(square > 0, square, 1.0)
+    np.minimum(np.maximum(part, 0, out=part), 1, out=part)
+    x += part * step_x
+    y += part * step_y
+    gaps = np.sqrt(np.minimum(outside, np.minimum.reduce(x * x + y * y, axis=0)))
+    return np.where(crosses(0.5 * (start + end), 0.5 * (end - start), half_sides), 0.0, gaps)

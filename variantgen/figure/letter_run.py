@@ -9,7 +9,8 @@ from dataclasses import dataclass
 
 from variantgen.figure.glyphs import Glyph, glyph, has_glyph, kerning
 
-_INDEX_DOWN, _POWER_UP, _POWER_UP_IN_INDEX, _LEAST_GAP, _AFTER = 0.247, 0.363, 0.289, 0.16, 0.056
+_INDEX_DOWN, _POWER_UP, _POWER_UP_CRAMPED, _LEAST_GAP, _AFTER = 0.247, 0.363, 0.289, 0.16, 0.056
+_POWER_DROP = 0.25  # how much lower the baseline of a power is than the top of parentheses
 _POWER_BOTTOM = 0.344  # a power over an index is raised alone until its ink is as high
 WORD_SPACE = 0.331
 INDEX = 0.7  # size of an index in that of its letter
@@ -25,13 +26,64 @@ class PlacedGlyph:
     at: complex
 
 
-class Run:
-    """Letters in a row; ``x`` is where the next one begins."""
+@dataclass(frozen=True)
+class Bar:
+    """A line to the right: of a fraction, or above what stands under a root. ``at`` is the middle of its start (em)."""
 
-    def __init__(self) -> None:
+    at: complex
+    width: float
+
+
+THICKNESS = 0.048  # of bars
+
+
+class Run:
+    """Letters in a row; ``x`` is where the next one begins.
+
+    ``display`` says that fractions of full size may be among them, ``tall`` that roots and tall parentheses may, as in
+    parts of such fractions, ``cramped`` that powers are raised less, as below the bar of a fraction.
+    """
+
+    def __init__(self, display: bool = False, cramped: bool = False, tall: bool = False) -> None:
         self.glyphs: list[PlacedGlyph] = []
+        self.bars: list[Bar] = []
         self.x = 0.0
         self.index_x = 0.0
+        self.display = display
+        self.tall = tall or display
+        self.cramped = cramped
+        self._highest = 0.0
+
+    @property
+    def bottom(self) -> float:
+        """The lowest ink."""
+        return min(
+            [p.at.imag + p.glyph.bottom for p in self.glyphs] + [b.at.imag - THICKNESS / 2 for b in self.bars],
+            default=0.0,
+        )
+
+    @property
+    def top(self) -> float:
+        """The highest ink, and the room that a root has above it."""
+        tops = [p.at.imag + p.glyph.top for p in self.glyphs] + [b.at.imag + THICKNESS / 2 for b in self.bars]
+        return max([*tops, self._highest] if self._highest else tops, default=0.0)
+
+    def reach(self, top: float) -> None:
+        """Take room up to a height."""
+        self._highest = max(self._highest, top)
+
+    def put(self, other: Run, at: complex) -> None:
+        """Set what another run consists of at a place; the row does not grow."""
+        self.glyphs += [PlacedGlyph(p.glyph, p.at + at) for p in other.glyphs]
+        self.bars += [Bar(b.at + at, b.width) for b in other.bars]
+        if other._highest:
+            self.reach(other._highest + at.imag)
+
+    def append(self, other: Run) -> None:
+        """Set another run after the letters so far."""
+        self.put(other, complex(self.x, 0.0))
+        self.x += other.x
+        self.index_x = self.x
 
     def add(self, letter: str, level: int) -> None:
         """Set one letter of a formula (italic, Greek, a digit, a mark) at a level."""
@@ -62,11 +114,12 @@ class Run:
             PlacedGlyph(Glyph("0u\N{COMBINING RIGHT ARROW ABOVE}", 0.0, 0.0, 0.0, 0.5, 0.714, ""), complex(right, 0.0))
         )
 
-    def attach(self, index: Run, power: Run, level: int) -> None:
-        """Set what stands below and above to the right of the letters so far."""
+    def attach(self, index: Run, power: Run, level: int, top: float = 0.0) -> None:
+        """Set what stands below and above to the right of the letters so far; ``top`` is that of parentheses before."""
         scale = SCALE[level]
-        raised = _POWER_UP_IN_INDEX if level else _POWER_UP
-        down, up = _INDEX_DOWN * scale if index.glyphs else 0.0, raised * scale if power.glyphs else 0.0
+        raised = _POWER_UP_CRAMPED if level or self.cramped else _POWER_UP
+        down = _INDEX_DOWN * scale if index.glyphs else 0.0
+        up = max(raised * scale, top - _POWER_DROP) if power.glyphs else 0.0
         if index.glyphs and power.glyphs:
             highest = max(p.at.imag + p.glyph.top for p in index.glyphs) - down
             lowest = up + min(p.at.imag + p.glyph.bottom for p in power.glyphs)
@@ -76,7 +129,7 @@ class Run:
         end = self.x
         for run, x, y in ((index, self.index_x, -down), (power, self.x, up)):
             if run.glyphs:
-                self.glyphs += [PlacedGlyph(p.glyph, p.at + complex(x, y)) for p in run.glyphs]
+                self.put(run, complex(x, y))
                 end = max(end, x + run.x + _AFTER * scale)
         self.x = self.index_x = end
 

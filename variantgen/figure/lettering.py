@@ -1,4 +1,4 @@
-"""How the letters of a formula stand, as the typesetting engine sets them: places of glyphs, width, ink.
+"""How the letters of a formula stand, as the typesetting engine sets them: places of glyphs and bars, width, ink.
 
 The rules are those of the OpenType math table with the constants of New Computer Modern Math: an index is lowered, an
 upper index raised, both moved apart until a gap is left between them; some space follows. Lengths in em, the size of
@@ -13,20 +13,26 @@ from functools import lru_cache
 
 from variantgen.figure.drawing import LETTER, Label
 from variantgen.figure.glyphs import Glyph
-from variantgen.figure.letter_run import SCALE, WORD_SPACE, PlacedGlyph, Run
+from variantgen.figure.letter_run import SCALE, WORD_SPACE, Bar, PlacedGlyph, Run
+from variantgen.figure.tall_letters import enclosed, fraction, root
 from variantgen.wording.formula import (
     GREEK,
+    Absolute,
     Equation,
     Formula,
     FormulaList,
+    Fraction,
     Function,
     Index,
     Measured,
     Number,
+    Parenthesised,
     Power,
     Product,
     Quotient,
+    Root,
     Sum,
+    Surd,
     Symbol,
     SymbolProperty,
     UnitText,
@@ -44,22 +50,25 @@ ARROWS = {"v": 0.558, "a": 0.551, "r": 0.511, "omega": 0.609}  # where the arrow
 
 @dataclass(frozen=True)
 class Lettering:
-    """A set formula: its glyphs, its width, and the bounds of its ink above the baseline (em)."""
+    """A set formula: its glyphs and bars, its width, and the bounds of its ink above the baseline (em)."""
 
     glyphs: tuple[PlacedGlyph, ...]
     width: float
     bottom: float
     top: float
+    bars: tuple[Bar, ...] = ()
 
 
 @lru_cache(maxsize=10_000)
-def typeset(formula: Formula) -> Lettering:
-    """The lettering of a formula. Raises TypeError for a kind that stands in texts only, like a fraction."""
-    run = Run()
-    _set(run, formula)
-    bottom = min((p.at.imag + p.glyph.bottom for p in run.glyphs), default=0.0)
-    top = max((p.at.imag + p.glyph.top for p in run.glyphs), default=0.0)
-    return Lettering(tuple(run.glyphs), run.x, bottom, top)
+def typeset(*formulas: Formula, display: bool = False) -> Lettering:
+    """The lettering of formulas in a row; ``display`` as in a line of its own, with fractions of full size and roots.
+
+    Raises TypeError for a kind that has no letters, as fractions in a line of text.
+    """
+    run = Run(display)
+    for formula in formulas:
+        _set(run, formula)
+    return Lettering(tuple(run.glyphs), run.x, run.bottom, run.top, tuple(run.bars))
 
 
 def letters_of(label: Label) -> list[tuple[Glyph, complex]]:
@@ -110,17 +119,30 @@ def _set(run: Run, formula: Formula) -> None:
             _set_sum(run, terms)
         case Product(factors):
             _set_product(run, factors)
-        case Power(Symbol() as base, exponent) if not precedence.as_base(base, False) and 0 <= exponent <= 9:
-            _set_symbol(run, base, exponent=str(exponent))
-        case Power(Number() as base, exponent) if not precedence.as_base(base, False) and 0 <= exponent <= 9:
-            run.words(base.text)
-            run.attach(Run(), _digits(str(exponent), 1), 0)
-        case Function(name, argument) if not (isinstance(argument, Vector) or precedence.as_argument(argument)):
+        case Power(base, exponent) if 0 <= exponent <= 9:
+            _set_power(run, base, str(exponent))
+        case Function(name, argument):
             run.words(name)
-            run.x += _THIN
-            _set(run, argument)
+            _set_argument(run, argument)
         case _:
-            raise TypeError(f"figures have no letters for a formula of the kind {type(formula).__name__}")
+            _set_tall(run, formula)
+
+
+def _set_tall(run: Run, formula: Formula) -> None:
+    """What may be taller than a line of text. Raises TypeError for what has no letters, or none in such a line."""
+    match formula:
+        case Parenthesised(content):
+            _set_part(run, content, True)
+        case Absolute(content):
+            _set_enclosed(run, content, "||")
+        case Fraction(above, below) if run.display:
+            run.append(fraction(_inner(above, run.cramped, False), _inner(below, True, False)))
+        case Root(radicand) if run.tall:
+            run.append(root(_inner(radicand, True, run.display)))
+        case Surd() if run.display:
+            _set_surd(run, formula)
+        case _:
+            raise TypeError(f"no letters are known for a formula of the kind {type(formula).__name__}")
 
 
 def _set_symbol(run: Run, symbol: Symbol, exponent: str = "", arrow: bool = False) -> None:
@@ -162,15 +184,67 @@ def _set_product(run: Run, factors: Sequence[Formula]) -> None:
 
 
 def _set_part(run: Run, formula: Formula, parentheses: bool) -> None:
-    """A part of a formula, perhaps in parentheses. Raises TypeError where those would have to be taller than a line."""
+    """A part of a formula, perhaps in parentheses."""
     if parentheses:
-        found = typeset(formula)
-        if max(found.top, 0.5 - found.bottom) > _PARENTHESES:
-            raise TypeError("tall parentheses are no letters")
-        run.add("(", 0)
+        _set_enclosed(run, formula, "()")
+    else:
+        _set(run, formula)
+
+
+def _set_enclosed(run: Run, formula: Formula, signs: str) -> None:
+    """A formula between two signs. Raises TypeError where they would be taller than a line of text."""
+    content = Run(run.display, run.cramped, run.tall)
+    _set(content, formula)
+    if not run.tall and max(content.top, 0.5 - content.bottom) > _PARENTHESES:
+        raise TypeError("tall parentheses are no letters")
+    run.append(enclosed(content, *signs))
+
+
+def _inner(formula: Formula, cramped: bool, display: bool) -> Run:
+    """A part of a fraction or a root; a fraction in a fraction would be smaller and raises TypeError."""
+    run = Run(display, cramped, tall=True)
     _set(run, formula)
-    if parentheses:
-        run.add(")", 0)
+    return run
+
+
+def _set_power(run: Run, base: Formula, exponent: str) -> None:
+    """A base with a digit above it."""
+    match base:
+        case Function(name, argument):  # cos² φ
+            run.words(name)
+            run.attach(Run(), _digits(exponent, 1), 0)
+            _set_argument(run, argument)
+        case Symbol() if not precedence.as_base(base, False):
+            _set_symbol(run, base, exponent)
+        case Vector(symbol) if not precedence.as_base(base, False):
+            _set_symbol(run, symbol, exponent, arrow=True)
+        case _:
+            whole = Run(run.display, run.cramped, run.tall)
+            fenced = precedence.as_base(base, False) or isinstance(base, Parenthesised)
+            _set_part(whole, base, precedence.as_base(base, False))
+            run.append(whole)
+            run.attach(Run(), _digits(exponent, 1), 0, whole.top if fenced or whole.bars else 0.0)
+
+
+def _set_argument(run: Run, argument: Formula) -> None:
+    """The argument of a function after its name; parentheses follow without a space."""
+    parentheses = precedence.as_argument(argument)
+    if not (parentheses or isinstance(argument, Parenthesised)):
+        run.x += _THIN
+    _set_part(run, argument, parentheses)
+
+
+def _set_surd(run: Run, surd: Surd) -> None:
+    """``40√3/3``: a number and a root above a whole number."""
+    size, root_of = Number(str(abs(surd.numerator))), Root(Number(str(surd.radicand)))
+    if surd.numerator < 0:
+        run.words("\N{MINUS SIGN}")
+    above = Run(surd.denominator == 1, run.cramped, tall=True)
+    if abs(surd.numerator) != 1 or surd.radicand == 1:
+        _set(above, size)
+    if surd.radicand != 1:
+        _set(above, root_of)
+    run.append(above if surd.denominator == 1 else fraction(above, _inner(Number(str(surd.denominator)), True, False)))
 
 
 def _set_about(run: Run, what: str, symbol: Symbol) -> None:

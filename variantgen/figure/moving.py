@@ -12,7 +12,7 @@ import numpy as np
 from variantgen.errors import InputError
 from variantgen.families.quantities import Quantity
 from variantgen.figure.board import Board
-from variantgen.figure.build import finished, mechanism
+from variantgen.figure.build import Mechanism, finished
 from variantgen.figure.drawing import Arc, Drawing, Label, Layer, Line
 from variantgen.figure.ground import Ground, moving_ground, resting_ground, rounded
 from variantgen.figure.sketch import moved
@@ -95,7 +95,7 @@ class Moving:
             omega={},
             epsilon={},
         )
-        return mechanism(self.variant, one, 0, self.asked, self.language, marks=False, scale=scale)
+        return Mechanism(self.variant, one, 0, self.asked, self.language).board(marks=False, scale=scale)
 
     def _lines(self, index: int, paper: Paper) -> tuple[list[Line], Ground]:
         """The lines of one position without bases, on the paper of another one; those of the ground for themselves."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -17,24 +16,27 @@ from variantgen.figure.ink import Sides, boxes_crossed_by, spans_of
 class Obstacles:
     """The segments of all lines of a sketch, in the order in which they were drawn."""
 
-    _ends: list[complex] = field(default_factory=list)  # of segments in turn
+    _starts: list[complex] = field(default_factory=list)
+    _ends: list[complex] = field(default_factory=list)
     _weights: list[float] = field(default_factory=list)  # of the lines of these segments, u
     _known: NDArray[np.complex128] = field(default_factory=lambda: np.zeros((0, 2), dtype=complex))
     _spans: NDArray[np.float64] = field(default_factory=lambda: np.zeros((6, 0)))
 
-    def add(self, segments: Sequence[tuple[complex, complex]], weight: float) -> None:
-        """Add the segments that stand for a line."""
-        self._ends += chain.from_iterable(segments)
-        self._weights += [weight] * len(segments)
+    def add(self, corners: Sequence[complex], weight: float) -> None:
+        """Add the segments from corner to corner of what stands for a line."""
+        self._starts += corners[:-1]
+        self._ends += corners[1:]
+        self._weights += [weight] * (len(corners) - 1)
 
     def copied(self) -> Obstacles:
         """The same, to which others are added."""
-        return replace(self, _ends=[*self._ends], _weights=[*self._weights])
+        return replace(self, _starts=[*self._starts], _ends=[*self._ends], _weights=[*self._weights])
 
     def segments(self) -> NDArray[np.complex128]:
         """All segments, shape (S, 2)."""
-        if self._known.size != len(self._ends):
-            new = np.array(self._ends[self._known.size :], dtype=complex).reshape(-1, 2)
+        known = len(self._known)
+        if known != len(self._ends):
+            new = np.array((self._starts[known:], self._ends[known:]), dtype=complex).T
             self._known = np.concatenate((self._known, new))
         return self._known
 

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Drawing, Label, Layer, Line, Path, RotationArc, Strokes
-from variantgen.figure.ink import Sides, segments_of
+from variantgen.figure.ink import Sides, corners_of
 from variantgen.figure.obstacles import Obstacles
 from variantgen.figure.placement.label_requests import LabelRequest
 from variantgen.figure.placement.labels import place_labels
@@ -66,20 +66,21 @@ class Sketch:
     walls: list[Wall] = field(default_factory=list)
     round_walls: list[RoundWall] = field(default_factory=list)
     obstacles: Obstacles = field(default_factory=Obstacles)
-    _corners: list[complex] = field(default_factory=list)
+    _corners: list[complex] = field(default_factory=list)  # of the box about the first lines
+    _bounded: int = 0  # of how many of them
 
     def path(self, points: Iterable[complex], layer: Layer, weight: float = BOLD, **style: object) -> None:
         """Draw a polyline; it is an obstacle for labels."""
         line = Path(tuple(points), layer, weight, **style)  # type: ignore[arg-type]
-        self._add(line, segments_of(line))
+        self._add(line, corners_of(line))
 
     def add(self, line: Line) -> None:
         """Draw a finished line; it is an obstacle for labels."""
-        self._add(line, segments_of(line, _SAGITTA))
+        self._add(line, *(line.segments if isinstance(line, Strokes) else (corners_of(line, _SAGITTA),)))
 
     def arc(self, arc: Arc) -> None:
         """Draw an arc or a circle; it is an obstacle for labels."""
-        self._add(arc, segments_of(arc, _SAGITTA))
+        self._add(arc, corners_of(arc, _SAGITTA))
 
     def circle(self, centre: complex, radius: float, layer: Layer, weight: float = BOLD, fill: str = "") -> None:
         """Draw a circle."""
@@ -105,7 +106,7 @@ class Sketch:
             (last, last + stroke),
             (first + stroke / 2, last + stroke / 2),
         ]
-        self._add(Strokes(tuple([(foot, foot + stroke) for foot in feet]), Layer.GROUND), outline)
+        self._add(Strokes(tuple([(foot, foot + stroke) for foot in feet]), Layer.GROUND), *outline)
 
     def hatch_arc(self, centre: complex, radius: float, start: float, sweep: float, outside: bool) -> None:
         """Hatch an arc on its outer or inner side: strokes at half a right angle to it."""
@@ -118,7 +119,7 @@ class Sketch:
             foot = centre + radius * ray
             strokes.append((foot, foot + _HATCH_DEPTH * (normal + 1j) * ray))
         far = Arc(centre, radius + normal * _HATCH_DEPTH, Layer.GROUND, start=start, sweep=sweep)
-        self._add(Strokes(tuple(strokes), Layer.GROUND), [*segments_of(far, _SAGITTA), strokes[0], strokes[-1]])
+        self._add(Strokes(tuple(strokes), Layer.GROUND), corners_of(far, _SAGITTA), strokes[0], strokes[-1])
 
     def arrow(
         self, start: complex, end: complex, layer: Layer = Layer.VECTOR, weight: float = BOLD, head: float = 2.6
@@ -143,11 +144,11 @@ class Sketch:
         wing = 0.31 * head * 1j * way
         self.path((tip, tip - head * way + wing, tip - head * way - wing), layer, 0.0, closed=True, fill="ink")
 
-    def _add(self, line: Line, obstacles: Sequence[tuple[complex, complex]]) -> None:
-        """Draw a line that stands in the way of labels as the ``obstacles`` say."""
+    def _add(self, line: Line, *obstacles: Sequence[complex]) -> None:
+        """Draw a line that stands in the way of labels as the ``obstacles`` say: corners of polylines."""
         self.lines.append(line)
-        self._corners += _extent(line)
-        self.obstacles.add(obstacles, line.weight or BOLD)  # heads have no outline
+        for corners in obstacles:
+            self.obstacles.add(corners, line.weight or BOLD)  # heads have no outline
 
     def occupy(self, point: str, direction: complex) -> None:
         """Note that something leaves a point in a direction."""
@@ -193,12 +194,19 @@ class Sketch:
 
     def corners(self) -> tuple[complex, complex]:
         """Lower left and upper right corner of what is drawn so far."""
-        return _box(self._corners)
+        return _box(self._outline())
+
+    def _outline(self) -> list[complex]:
+        """Places between which everything lies that is drawn so far."""
+        for line in self.lines[self._bounded :]:
+            self._corners += _extent(line)
+        self._bounded = len(self.lines)
+        return self._corners
 
     def finish(self, named: Mapping[str, complex]) -> Drawing:
         """Place the labels, cut the paper to size and put everything in order."""
         labels, leaders = place_labels(self.requests, self.obstacles.segments(), list(named.values()))
-        corners = [*self._corners, *(point for leader in leaders for point in leader.points)]
+        corners = [*self._outline(), *(point for leader in leaders for point in leader.points)]
         for label in labels:
             half = complex(*label.size) / 2
             corners += [label.at - half, label.at + half]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 from importlib import import_module
 from typing import Any
 
@@ -10,7 +11,12 @@ from typing import Any
 def on_demand(module: str, function: str) -> Callable[..., Any]:
     """The named function of a module below ``variantgen.methods``, as a function that loads it when called."""
 
+    @cache
+    def loaded() -> Callable[..., Any]:
+        found: Callable[..., Any] = getattr(import_module(f"variantgen.methods.{module}"), function)
+        return found
+
     def call(*arguments: Any) -> Any:
-        return getattr(import_module(f"variantgen.methods.{module}"), function)(*arguments)
+        return loaded()(*arguments)
 
     return call

@@ -12,6 +12,7 @@ from typing import Any
 from variantgen.errors import InputError, VariantgenError
 
 _PATIENCE = 10  # how much less urgent it is than the pages
+_PHASES = {"drawing variants": "drawing", "typesetting": "typesetting"}  # of a build, as pages call them
 
 
 def main() -> None:
@@ -51,7 +52,7 @@ def _built(wanted: dict[str, Any]) -> int:
 
 
 def _progress(stage: str, done: int, total: int) -> None:
-    _say(phase=stage, done=done, total=total)
+    _say(phase=_PHASES[stage], done=done, total=total)
 
 
 def _say(**data: Any) -> None:

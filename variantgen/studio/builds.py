@@ -26,7 +26,10 @@ _FIRST = 3.0  # seconds before a rate is told
 
 @dataclass(frozen=True)
 class FinishedBuild:
-    """A finished build: its folder, whose exam it is, for how many, when, its files with their sizes."""
+    """A finished build: its folder, whose exam it is, for how many, when, its files with their sizes.
+
+    ``groups`` are those of its students, with what the file of each is called (no ending) where there is one.
+    """
 
     key: str
     folder: Path
@@ -35,6 +38,7 @@ class FinishedBuild:
     students: int
     day: date
     files: tuple[tuple[str, int], ...]
+    groups: tuple[tuple[str, str], ...] = ()
 
     @property
     def size(self) -> int:
@@ -63,9 +67,19 @@ class Builds:
         self._known: dict[Path, tuple[int, FinishedBuild]] = {}
 
     def state(self, exam: str) -> dict[str, Any]:
-        """How far the build of an exam is; nothing if none was begun."""
+        """How far the build of an exam is; nothing if none was begun.
+
+        One that ended with another studio, before it was done, is stopped: what it has is there for the next one.
+        """
         found = self._running.get(exam)
-        return found.state if found else {}
+        if found:
+            return found.state
+        home = self._workspace.folder / BUILDS
+        if home.is_symlink() or not any(home.glob(".*")):
+            return {}
+        name = self.next_name(exam)
+        left = any(path.is_dir() for path in home.glob(f".{name}.*"))  # where the builder keeps its parts
+        return {"exam": exam, "name": name, "phase": "stopped"} if left else {}
 
     def next_name(self, exam: str) -> str:
         """The folder of the next build: the name of the exam and the day, with a number where it is there.
@@ -165,14 +179,20 @@ class Builds:
 
 
 def _finished(path: Path) -> FinishedBuild | None:
+    from variantgen.outputs.files.student_groups import GroupFiles
+
     try:
         data = json.loads(path.read_text("utf-8"))
         names = sorted({*data["files"], MANIFEST})
         files = tuple((n, (path.parent / n).stat().st_size) for n in names if is_own(path.parent / n, path.parent))
         title = str(data.get("exam", {}).get("title", "")) if isinstance(data.get("exam"), dict) else ""
         students, seed = len(data["students"]), str(data["seed"])
+        listed = [str(student["group"]) for student in data["students"] if isinstance(student, dict)]
+        groups = tuple(GroupFiles.of(listed).stems.items())
     except (OSError, ValueError, KeyError, TypeError, RecursionError):
         return None
     name = path.parent.name
     key = name if _KEY.fullmatch(name) else "build-" + hashlib.sha256(name.encode()).hexdigest()[:8]
-    return FinishedBuild(key, path.parent, title, seed, students, date.fromtimestamp(path.stat().st_mtime), files)
+    return FinishedBuild(
+        key, path.parent, title, seed, students, date.fromtimestamp(path.stat().st_mtime), files, groups
+    )

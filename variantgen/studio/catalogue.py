@@ -11,7 +11,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from variantgen.errors import InputError, Problem
+from variantgen.errors import InputError, Problem, VariantgenError
+from variantgen.families.method_names import METHODS
 from variantgen.families.reading.files import FAMILY
 from variantgen.limits import TOML_BYTES
 from variantgen.resources import catalog_dir
@@ -36,7 +37,7 @@ _ABOUT = {
 }
 
 _SYMBOL = re.compile(r"(?:[^<>]|</?(?:i|sub|sup)>)*")
-_FORMAT = 2  # of the cards in the cache
+_FORMAT = 3  # of the cards in the cache
 
 Card = dict[str, Any]
 
@@ -101,10 +102,11 @@ def _is_card(card: Card) -> bool:
     """Whether something read has the types of a card, and no markup but that of symbols."""
     texts = [card[name] for name in ("family", "version", "form", "error")]
     texts += [table[language] for table in (card["titles"], card["form_titles"]) for language in LANGUAGES]
-    texts += [*card["topics"], *card["kinds"], *(symbol for part in card["ask"].values() for symbol in part)]
+    texts += [*card["topics"], *card["kinds"], *card["methods"]]
+    texts += [symbol for part in card["ask"].values() for symbol in part]
     markup = all(_SYMBOL.fullmatch(symbol) for part in card["ask"].values() for symbol in part)
     numbers = isinstance(card["forms"], int) and isinstance(card["level"], int)
-    known = {*card["topics"], *card["kinds"]} <= {*TOPICS, *KINDS}
+    known = {*card["topics"], *card["kinds"], *card["methods"]} <= {*TOPICS, *KINDS, *METHODS}
     return (
         all(isinstance(text, str) for text in texts) and numbers and known and markup and isinstance(card["own"], bool)
     )
@@ -134,6 +136,7 @@ def cards_of(name: str, path: Path, workspace: Workspace) -> list[Card]:
     except InputError as error:
         text = dict.fromkeys(LANGUAGES, name)
         nothing = {"forms": 1, "titles": text, "form_titles": text, "topics": [], "kinds": [], "level": 0, "ask": {}}
+        nothing |= {"methods": []}
         return [{**common, **nothing, "form": "", "error": str(error.problems[0])}]
     described = {} if common["own"] else _described().get(name, {})
     found = []
@@ -149,6 +152,7 @@ def cards_of(name: str, path: Path, workspace: Workspace) -> list[Card]:
                 "level": own.get("level", 0),
                 "topics": _topics(form),
                 "kinds": _kinds(form),
+                "methods": _methods(name, form.name, workspace),
                 "ask": {language: _asked(form, language) for language in LANGUAGES},
                 "error": "",
             }
@@ -186,6 +190,21 @@ def _kinds(form: Any) -> list[str]:
     if any(name.startswith("a_cor") for name in asked):
         found.append("coriolis")
     return found
+
+
+def _methods(family: str, form: str, workspace: Workspace) -> list[str]:
+    """The methods by which what a form asks can be found, from its first variant; they are the same for all."""
+    from variantgen.methods.choice import applicable
+    from variantgen.methods.linkage.problem import task_of
+    from variantgen.single import asked_quantities, one_variant
+    from variantgen.variants.variant import solve_variants
+
+    try:
+        variant = one_variant(family, form=form, folders=own_folders(workspace, family))
+    except VariantgenError:
+        return []  # it has no variants yet
+    found = applicable(task_of(variant, solve_variants([variant], 2), 0, asked_quantities(variant)))
+    return [name for name in METHODS if name in found]
 
 
 def _asked(form: Any, language: str) -> list[str]:

@@ -14,6 +14,7 @@ from starlette.responses import HTMLResponse, Response
 
 from variantgen.studio.documents.document import Document
 from variantgen.studio.documents.journal import FileChange
+from variantgen.studio.messages import in_language
 from variantgen.studio.studio import Studio
 from variantgen.studio.summary import summary
 from variantgen.studio.words import ASSETS, LANGUAGES, PageWords, page_words
@@ -149,7 +150,7 @@ def _state(words: PageWords, studio: Studio, document: Document | None) -> Mappi
         "undo": step_words(words, document.journal.undoable),
         "redo": step_words(words, document.journal.redoable),
         "exams": exams,
-        "broken": state.broken,
+        "broken": in_language(state.broken, words.language),
     }
 
 

@@ -22,6 +22,7 @@ from variantgen.figure.moving import Paper
 from variantgen.mechanism.centres import velocity_centre
 from variantgen.mechanism.motion import ComplexField, Motion
 from variantgen.mechanism.relative import relative_motion, sliding_points
+from variantgen.methods.graphical.plan_scale import pole_letter
 from variantgen.outputs.figures.svg import lettering, path_data
 from variantgen.outputs.motion.caption import end_sentences
 from variantgen.outputs.motion.plotted_curves import PlottedCurve, panels
@@ -62,7 +63,7 @@ def motion_of(variant: Variant, asked: Sequence[Quantity], language: str) -> dic
     paths = [paper.at(z) for z in moving.paths.values()]
     ground = [paper.at(z) for z in moving.ground]
     velocities, accelerations = _vectors(subject, paper, "v"), _vectors(subject, paper, "a")
-    ends = [np.array(one["ends"], dtype=np.complex128) for one in (velocities, accelerations)]
+    ends = [np.array(one.pop("ends"), dtype=np.complex128) for one in (velocities, accelerations)]
     box = _box(still, [*paths, *ends, np.array(moving.corners(paper))])
     return {
         "title": variant.family.title(language),
@@ -77,8 +78,8 @@ def motion_of(variant: Variant, asked: Sequence[Quantity], language: str) -> dic
         ],
         "paths": [_polyline(z) for z in paths],
         "centres": _centres(subject, paper, box),
-        "velocities": {"vectors": velocities["vectors"], "edges": velocities["edges"]},
-        "accelerations": {"vectors": accelerations["vectors"], "edges": accelerations["edges"]},
+        "velocities": velocities,
+        "accelerations": accelerations,
         **_curves(subject),
         "way": _way(subject),
     }
@@ -181,7 +182,7 @@ def _vectors(subject: Subject, paper: Paper, kind: str) -> dict[str, Any]:
     sizes = np.max([np.where(clear, np.abs(one[3]), 0.0) for one in found] or [np.zeros(len(clear))], axis=0)
     usual = float(np.quantile(sizes[clear], _USUAL)) if clear.any() else 0.0
     if not usual:
-        return {"vectors": [], "edges": [], "ends": []}
+        return {"vectors": [], "edges": [], "ends": [], "pole": ""}
     scale = min(_LONGEST / usual, _LONGEST_NOW / max(float(sizes[sweep.instant]), 1e-9 * usual))
     shown, ends = [], []
     for point, name, part, z, start in found:
@@ -197,8 +198,10 @@ def _vectors(subject: Subject, paper: Paper, kind: str) -> dict[str, Any]:
                 "start": _places(np.where(clear, scale * start, np.nan)) if part else None,
             }
         )
-    edges = _edges(motion.scene.bodies, [point for point, _, part, *_ in found if not part])
-    return {"vectors": shown, "edges": edges, "ends": ends}
+    whole = [point for point, _, part, *_ in found if not part]
+    pole = pole_letter(whole) if kind == "v" else "pi"
+    edges = _edges(motion.scene.bodies, whole)
+    return {"vectors": shown, "edges": edges, "ends": ends, "pole": lettering(Symbol(pole))}
 
 
 def _small(subject: Subject, point: str) -> Symbol:

@@ -29,6 +29,16 @@ def students(studio: Studio) -> int | None:
     return len(read_class(path).students)
 
 
+def groups(studio: Studio) -> set[str]:
+    """The groups of the roster; none without one. Raises InputError for one that a build would refuse."""
+    path = studio.workspace.roster()
+    if path is None:
+        return set()
+    from variantgen.exam.roster import read_class
+
+    return {student.group for student in read_class(path).students}
+
+
 def _class_words(words: PageWords, studio: Studio) -> str:
     """The number of students, or that there is no roster, or a wrong one."""
     try:

@@ -48,6 +48,8 @@ def _beyond(draft: Draft, link: Link) -> Attachment:
 
 def _on_block(draft: Draft, link: Link, other: int) -> Attachment:
     """The pin of a block, or where that would make rigid triangles, the end of an arm that is fixed to the block."""
+    if link.noun == "yoke" and (foot := draft.bodies[link.body][0]) not in draft.hints["hidden"]:
+        return Attachment(link.start, "end", {"point": link.start, "noun": "yoke", "link": foot + link.start}, foot)
     if other not in link.mates and not link.arm_only:
         return Attachment(link.start, "slider", {"point": link.start, "block": link.noun})
     if link.extra:

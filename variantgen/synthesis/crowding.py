@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import cmath
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from itertools import combinations
 from typing import Any, TypeAlias
 
@@ -16,6 +17,8 @@ Bar: TypeAlias = tuple[str, str]
 _SMALLEST = 80.0  # cm: while the first links are laid out, the mechanism counts as large as this
 _APART, _CLEAR, _BASE = 0.09, 0.06, 1.5  # of hinges; of a hinge from a foreign link; more of a fixed one: sizes
 _FOLDED, _STRAIGHT = 18, 10  # degrees between two links at a common hinge, and from one straight line
+_GUIDE = 0.13  # of the whole: half the line of a fixed guide
+_MARKED = 0.2  # of the whole, between the corners of two marked angles, whose arcs would meet
 _OFF_WHEEL = 1.4  # radii of a wheel that others keep from its centre
 _MARGIN = 0.2  # of its guide, at each end, that a block keeps clear
 _RATIO = 4.0  # longest over shortest length
@@ -24,7 +27,8 @@ _LONGEST, _LARGEST = 3.2, 300.0  # longer over shorter side of the whole; cm
 
 def crowded(draft: Draft) -> str:
     """What is too near to what, or crosses it; nothing where the figure is clear."""
-    return _near(draft) or _on_bars(draft) or _on_wheels(draft) or _bars(draft) or _blocks(draft) or _lengths(draft)
+    screens = (_near, _on_bars, _on_wheels, _bars, _blocks, _on_guides, _marks, _lengths)
+    return next(filter(None, (screen(draft) for screen in screens)), "")
 
 
 def too_long(draft: Draft) -> str:
@@ -36,8 +40,19 @@ def too_long(draft: Draft) -> str:
 
 
 def crossed(draft: Draft, z: Mapping[str, NDArray[np.complex128]]) -> NDArray[np.bool_]:
-    """On which of N variants of a draft two links cross that nothing joins; ``z`` has its points, shape (N,) each."""
+    """On which of N variants of a draft two links cross that nothing joins, or one a guide or a wheel; ``z`` has its
+    points, in cm, shape (N,) each.
+    """
     found = np.zeros(next(iter(z.values())).shape, dtype=bool)
+    places = np.array([z[name] for name in _visible(draft)])
+    size = np.maximum(np.ptp(places.real, axis=0), np.ptp(places.imag, axis=0))
+    for point, bar in _near_guides(draft):
+        found |= _cross(_with_guide(draft, z, point, size), ("start", "end"), bar)
+    for centre, radius in draft.wheels:
+        largest = draft.value(radius) + draft.data[radius].spread
+        for bar in draft.bars:
+            if centre not in bar:
+                found |= _off(z, centre, bar) < largest
     for one, other in combinations(draft.bars, 2):
         if not _joined(draft, one, other):
             found |= _cross(z, one, other)
@@ -60,20 +75,20 @@ def _on_bars(draft: Draft) -> str:
             if name in _members(draft, bar) or (name, bar) in slid:
                 continue
             need = _CLEAR * (_BASE if name in draft.pivots else 1.0)
-            if _off_bar(draft, name, bar) < need * _size(draft):
+            if _off(draft.z, name, bar) < need * _size(draft):
                 return f"{name} on {bar[0]}{bar[1]}"
     return ""
 
 
 def _on_wheels(draft: Draft) -> str:
     """A link or a point in the way of a wheel."""
-    for centre, rim in draft.wheels:
-        need = _OFF_WHEEL * draft.distance(centre, rim)
+    for centre, radius in draft.wheels:
+        need = _OFF_WHEEL * draft.value(radius)
         for bar in draft.bars:
-            if centre not in bar and _off_bar(draft, centre, bar) < need:
+            if centre not in bar and _off(draft.z, centre, bar) < need:
                 return f"{bar[0]}{bar[1]} on the wheel"
         for name in _visible(draft):
-            if name not in (centre, rim) and draft.distance(centre, name) < need:
+            if name != centre and draft.distance(centre, name) < need:
                 return f"{name} on the wheel"
     return ""
 
@@ -96,7 +111,8 @@ def _blocks(draft: Draft) -> str:
     for point, start, end in draft.inside:
         guide = draft.z[end] - draft.z[start]
         for bar in draft.bars:
-            if point in bar and not {start, end} <= set(_members(draft, bar)):
+            members = _members(draft, bar)
+            if point in members and not {start, end} <= set(members):
                 far = bar[1] if point == bar[0] else bar[0]
                 angle = abs(math.degrees(np.angle((draft.z[far] - draft.z[point]) / guide)))
                 if min(angle, 180 - angle) < _FOLDED:
@@ -104,6 +120,55 @@ def _blocks(draft: Draft) -> str:
         part = ((draft.z[point] - draft.z[start]) / (draft.z[end] - draft.z[start])).real
         if not _MARGIN <= part <= 1 - _MARGIN:
             return f"{point} at the end of its guide"
+    return ""
+
+
+def _on_guides(draft: Draft) -> str:
+    """A link across the line of a fixed guide, or a point on it."""
+    for point, bar in _near_guides(draft):
+        if _cross(_with_guide(draft, draft.z, point, _size(draft)), ("start", "end"), bar):
+            return f"{bar[0]}{bar[1]} across the guide of {point}"
+    for point, _ in _guides(draft):
+        z, own = _with_guide(draft, draft.z, point, _size(draft)), _riding(draft, point)
+        for name in _visible(draft):
+            if name not in own and _off(z, name, ("start", "end")) < _CLEAR * _size(draft):
+                return f"{name} on the guide of {point}"
+    return ""
+
+
+def _guides(draft: Draft) -> list[tuple[str, float]]:
+    """The sliders in fixed guides and the directions of these (degrees); the bearing of a yoke is on its own bar."""
+    stems = draft.hints.get("stems", ())
+    guides = [fields for kind, fields in draft.joints if kind == "guide" and fields["point"] not in stems]
+    return [(fields["point"], float(fields.get("angle", 0))) for fields in guides]
+
+
+def _near_guides(draft: Draft) -> Iterator[tuple[str, Bar]]:
+    """Sliders in fixed guides, and the bars that must not lie across these: none ends there or slides on the pin."""
+    slid, grooves = _slid(draft), [set(ends) for ends in draft.hints.get("grooves", ())]
+    for point, _ in _guides(draft):
+        for bar in (bar for bar in draft.bars if set(bar) not in grooves or point not in _members(draft, bar)):
+            through = point in _members(draft, bar) and point not in bar
+            if through or (not {*bar} <= _riding(draft, point) and (point, bar) not in slid):
+                yield point, bar
+
+
+def _riding(draft: Draft, point: str) -> set[str]:
+    """A point and those of its bodies."""
+    return {point}.union(*(members for members in draft.bodies.values() if point in members))
+
+
+def _with_guide(draft: Draft, z: Mapping[str, Any], point: str, size: Any) -> Mapping[str, Any]:
+    """Places with the ``start`` and the ``end`` of the line of a guide; ``size`` is that of the whole, as ``z``."""
+    half = _GUIDE * size * cmath.rect(1.0, math.radians(dict(_guides(draft))[point]))
+    return {**z, "start": z[point] - half, "end": z[point] + half}
+
+
+def _marks(draft: Draft) -> str:
+    """Two marked angles at hinges that have no room for both arcs."""
+    for one, other in combinations(sorted({mark["at"] for mark in draft.marks}), 2):
+        if draft.distance(one, other) < _MARKED * _size(draft):
+            return f"angles at {one} and {other}"
     return ""
 
 
@@ -148,10 +213,11 @@ def _joined(draft: Draft, one: Bar, other: Bar) -> bool:
     return sliding or bool(set(first) & set(second))
 
 
-def _off_bar(draft: Draft, name: str, bar: Bar) -> float:
-    start, step = draft.z[bar[0]], draft.z[bar[1]] - draft.z[bar[0]]
-    part = min(1.0, max(0.0, ((draft.z[name] - start) / step).real))
-    return abs(draft.z[name] - start - part * step)
+def _off(z: Mapping[str, Any], name: str, bar: Bar) -> Any:
+    """How far a point is from a segment; numbers or arrays."""
+    start, step = z[bar[0]], z[bar[1]] - z[bar[0]]
+    part = np.clip(((z[name] - start) / step).real, 0.0, 1.0)
+    return abs(z[name] - start - part * step)
 
 
 def _cross(z: Mapping[str, Any], one: Bar, other: Bar) -> Any:

@@ -81,7 +81,7 @@ class Draft:
     hints: dict[str, list[Any]] = field(default_factory=dict)
     inside: list[tuple[str, str, str]] = field(default_factory=list)
     bars: list[tuple[str, str]] = field(default_factory=list)
-    wheels: list[tuple[str, str]] = field(default_factory=list)  # centre, point on the rim
+    wheels: list[tuple[str, str]] = field(default_factory=list)  # centre, name of the radius
     sentences: list[tuple[str, Facts]] = field(default_factory=list)
     position: list[tuple[str, Facts]] = field(default_factory=list)
     asked: list[list[str]] = field(default_factory=list)

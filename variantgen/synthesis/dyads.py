@@ -146,7 +146,7 @@ def _rod_and_wheel(draft: Draft, links: tuple[int, int], dyad: AssurGroup, _: di
     draft.joint("rolling", body=WHEEL, centre=centre, contact="P")
     draft.bodies[WHEEL] = [centre, "P"]
     draft.symbols[WHEEL] = "1"
-    draft.wheels.append((centre, "P"))
+    draft.wheels.append((centre, "r"))
     draft.hint("hidden", "P")  # and its radius is given
     draft.hint("discs", {"centre": centre, "radius": "r", "name": "r", "body": WHEEL})
     draft.bar(links[0], "rod", at.point, centre)

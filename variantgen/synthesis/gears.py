@@ -30,12 +30,8 @@ def gear_in_mesh(draft: Draft, links: tuple[int, int], dyad: AssurGroup, _: dict
     draft.place(pivot, axis, driving + driven, angle)
     draft.points[pivot] = "polar", {"origin": axis, "distance": "R + r", **way}
     new_pivot(draft)
-    for name, centre, radius in (("K1", axis, on_link), ("N1", pivot, own)):
-        draft.polar(name, centre, radius, angle, way)
-        draft.hint("hidden", name)
-        draft.wheels.append((centre, name))
-    draft.bodies[link.body].append("K1")
-    draft.bodies[PINION] = [pivot, "N1"]
+    draft.wheels += [(axis, on_link), (pivot, own)]
+    draft.bodies[PINION] = [pivot]
     draft.symbols[PINION] = "1"
     fields = {"body": PINION, "centre": pivot, "radius": own, "other_centre": axis, "other": link.body}
     draft.joint("gears", **fields)

@@ -8,7 +8,7 @@ from variantgen.synthesis.chance import Chance
 from variantgen.synthesis.crowding import crowded, too_long
 from variantgen.synthesis.draft import OPENINGS, Datum, Draft, LayoutError
 from variantgen.synthesis.dyads import place_dyad
-from variantgen.synthesis.structures import CRANK, Structure
+from variantgen.synthesis.structures import CRANK, FRAME, Structure
 
 MOST_DATA = 10
 _TRIES = 60  # of one dyad on what is there
@@ -28,11 +28,14 @@ def lay_out(structure: Structure, rng: Chance) -> Draft:
 
 
 def _uses(structure: Structure) -> dict[int, str]:
-    """The letters of the joints that dyads make on each link."""
+    """The letters of the joints that dyads make on each link, with an M for each one from which a way leads on to
+    another moving link: there, it matters where the joint is.
+    """
     found = dict.fromkeys(range(2 + 2 * len(structure)), "")
-    for kind, on, to in structure:
-        found[on] += kind[0]
-        found[to] += kind[-1]
+    for place, (kind, on, to) in reversed([*enumerate(structure)]):
+        leads_on = FRAME not in (on, to) or "M" in found[2 * place + 2] + found[2 * place + 3]
+        found[on] += kind[0] + "M" * leads_on
+        found[to] += kind[-1] + "M" * leads_on
     return found
 
 

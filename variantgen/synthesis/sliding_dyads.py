@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from variantgen.synthesis.attachments import hinge_on, line_on
 from variantgen.synthesis.directions import between, way
-from variantgen.synthesis.draft import Draft, LayoutError, Link
+from variantgen.synthesis.draft import LETTERS, Draft, LayoutError, Link
 from variantgen.synthesis.dyad_parts import FIXED, ROCKERS, RODS, check_angle, facts_of, new_pivot, on_bar, slide
 from variantgen.synthesis.structures import FRAME, AssurGroup
 
@@ -114,25 +114,36 @@ def two_guides(draft: Draft, links: tuple[int, int], dyad: AssurGroup, _: dict[i
     draft.asked.append([f"v_{block}", f"v_rel_{block}"])
 
 
-def yoke(draft: Draft, links: tuple[int, int], dyad: AssurGroup, _: dict[int, str]) -> None:
-    """RPP: a block on a moving link in the slot of a yoke that moves along a fixed guide."""
+def yoke(draft: Draft, links: tuple[int, int], dyad: AssurGroup, uses: dict[int, str]) -> None:
+    """RPP: a block on a moving link in the slot of a yoke that moves along a fixed guide.
+
+    Where a way leads on from the yoke to another moving link, angles depend on where the end of the yoke is: then the
+    foot of the slot has a letter, and lengths say it.
+    """
     if dyad.to != FRAME or dyad.on == FRAME:
         raise LayoutError("the yoke slides on a moving link")
     at = hinge_on(draft, dyad.on, dyad.to)
     guide, out = draft.rng.choice((0, 90)), draft.rng.choice((0, 180))
     end, size = draft.letter(), 30
     foot, top, low, stem = (f"{letter}{end}" for letter in ("H", "K", "L", "S"))
-    turn = draft.rng.choice((1, -1))
-    draft.place(foot, at.point, 16, guide + 90 * turn)
+    up, ahead = guide + 90 * draft.rng.choice((1, -1)), guide + out
+    if "M" in uses[links[1]]:
+        foot = next(letter for letter in LETTERS if letter not in (*draft.points, end))
+        for start, point, value, angle in ((at.point, foot, 16, up), (foot, end, 56, ahead)):
+            draft.polar(point, start, draft.length(start, point, value, 0.12), angle, {"angle": f"{angle % 360}*deg"})
+        draft.position.append(("instant_length", {"length": at.point + foot}))
+    else:
+        draft.place(foot, at.point, 16, up)
+        draft.place(end, foot, 56, ahead)
+        draft.hint("hidden", foot)
     draft.place(top, foot, size, guide + 90)
     draft.place(low, foot, size, guide - 90)
-    draft.place(end, foot, 56, guide + out)
-    draft.place(stem, foot, 36, guide + out)
+    draft.place(stem, foot, 36, ahead)
     body = f"yoke{end}"
     draft.bodies[body] = [foot, end, stem, top, low]
     draft.symbols[body] = ""
     draft.nouns[body] = "yoke"
-    for point in (foot, stem, top, low):
+    for point in (stem, top, low):
         draft.hint("hidden", point)
     draft.hint("stems", stem)
     draft.hint("grooves", [top, low])
@@ -144,6 +155,7 @@ def yoke(draft: Draft, links: tuple[int, int], dyad: AssurGroup, _: dict[int, st
     draft.relative.append(("yoke", {"point": at.point, "block": "block"}))
     draft.links[links[0]] = Link(at.point, noun="block", guide=guide, arm_only=True, mates={dyad.on})
     draft.links[links[1]] = Link(end, noun="yoke", guide=guide, body=body)
-    facts = {"point": end, "way": FIXED[guide], "across": FIXED[90 - guide]}
+    said = end if foot in draft.hints["hidden"] else foot + end
+    facts = {"point": said, "way": FIXED[guide], "across": FIXED[90 - guide]}
     draft.sentences.append(("yoke", facts | facts_of(at)))
     draft.asked.append([f"v_{end}", f"v_rel_{at.point}"])

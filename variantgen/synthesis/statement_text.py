@@ -11,8 +11,6 @@ from variantgen.resources import languages, templates_dir
 from variantgen.synthesis.draft import CRANK, Draft, Facts
 from variantgen.synthesis.family_text import changes_speed
 
-_ONE_BY_ONE = ("square", "halfway")
-
 
 def composed_languages() -> list[str]:
     """The languages in which statements can be composed: those that have the sentences."""
@@ -75,13 +73,13 @@ def _position(draft: Draft, words: Mapping[str, Any]) -> str:
             phrases["incline_one" if len(inclined) == 1 else "incline_many"].format(angles=names, names=links)
         )
     angles += [phrases[key].format(**facts) for key, facts in said if key == "angle"]
-    clauses = [phrases[key].format(**facts) for key, facts in said if key in _ONE_BY_ONE]
+    clauses, middles = ([phrases[key].format(**f) for k, f in said if k == key] for key in ("square", "halfway"))
     for key in ("level", "upright"):
         alike = [f["link"] if k == key else f["one"] + f["other"] for k, f in said if k in (key, f"pivots_{key}")]
         if alike:
             form = phrases[f"{key}_{'one' if len(set(alike)) == 1 else 'many'}"]
             clauses.append(form.format(names=_joined(list(dict.fromkeys(alike)), words)))
-    there = _listed(clauses, words)
+    there = _listed([*clauses, *middles], words)  # "C is in the middle of AB and O1D is" would be read wrongly
     driver = words["nouns"][draft.called.get(CRANK, "driver")]
     opening = "given" if draft.opening == "given" and not draft.relative else "in_position"  # the shorter one
     if there:

@@ -109,7 +109,7 @@ def test_the_typeset_figure_has_the_same_places(drawn: Picture) -> None:
     data = figure_data(drawing)
     page = '#import "figure.typ": draw-figure\n#import "common.typ": *\n'
     page += "#set page(width: auto, height: auto, margin: 0pt)\n"
-    page += '#show: document-style.with("ru")\n#draw-figure(json(sys.inputs.data).figure, 1000pt, 1pt)\n'
+    page += '#show: document-style.with("ru")\n#draw-figure(json(inputs.data).figure, 1000pt, 1pt)\n'
     with typesetter() as engine:
         (engine.root / "one.typ").write_text(page)
         made = engine.compile("one.typ", {"figure": data}, "svg")[0].decode()

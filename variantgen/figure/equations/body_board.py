@@ -9,21 +9,17 @@ from dataclasses import dataclass, fields
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.families.quantities import Quantity
-from variantgen.figure.build import mechanism
+from variantgen.families.family import Form
 from variantgen.figure.drawing import BOLD, THIN, Layer, Line
 from variantgen.figure.equations.surroundings import Surroundings, largest, size_of
 from variantgen.figure.ink import segments_of, spaced
 from variantgen.figure.motion.contact_letters import draw_dot
 from variantgen.figure.motion.motion_board import LEAST, MotionBoard, head_of
+from variantgen.figure.motion.motion_data import MovingMechanism
 from variantgen.figure.placement.label_requests import along_arrow, around
 from variantgen.figure.sketch import Sketch
-from variantgen.mechanism.motion import Motion
 from variantgen.methods.steps.step_geometry import NOTHING_MARKED, StepGeometry
-from variantgen.variants.printed_data import shown_points
-from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Formula, Symbol
-from variantgen.wording.language import Language
 
 WIDE, HIGH = 80.0, 82.0  # room for a figure but for its labels, u
 _BODY_WIDE, _BODY_HIGH = 80.0, 73.0  # room for the bodies, u
@@ -41,20 +37,21 @@ _SAMPLES = np.linspace(0.0, 1.0, 12)
 
 @dataclass(frozen=True)
 class FigureSubject:
-    """A variant of a solved batch and what is asked of it, for figures in a language that mark a ``geometry``.
+    """A mechanism for figures that mark a ``geometry``.
 
     ``poses`` are the directions (rad) in which the supports stand in the figure of the statement. With ``true_scale``
     no vector is lengthened to be seen.
     """
 
-    variant: Variant
-    motion: Motion
-    index: int
-    asked: Sequence[Quantity]
-    language: Language
+    mechanism: MovingMechanism
     poses: Mapping[str, float]
     geometry: StepGeometry = NOTHING_MARKED
     true_scale: bool = False
+
+    @property
+    def form(self) -> Form:
+        """The form of the family."""
+        return self.mechanism.variant.form
 
     @property
     def least(self) -> float:
@@ -63,9 +60,7 @@ class FigureSubject:
 
     def board(self, scale: float) -> MotionBoard:
         """The mechanism without the data of the statement."""
-        plain = mechanism(
-            self.variant, self.motion, self.index, self.asked, self.language, False, scale=scale, poses=self.poses
-        )
+        plain = self.mechanism.board(False, scale=scale, poses=self.poses)
         return MotionBoard(**{spec.name: getattr(plain, spec.name) for spec in fields(plain)})
 
 
@@ -89,36 +84,40 @@ class BodyBoard:
         self._bodies = tuple(bodies)
         self._further = further
         points = tuple(points)
-        self.named = shown_points(subject.variant, subject.asked)
+        self.named = subject.mechanism.shown
         shown = {*self.named, *points}
-        members = [subject.variant.form.bodies[body] for body in self._bodies]
+        members = [subject.form.bodies[body] for body in self._bodies]
         self.points = tuple(dict.fromkeys([*points, *(name for member in members for name in member if name in shown)]))
 
     def place(self, point: str) -> complex:
         """The place of a point (m)."""
-        return complex(self.subject.motion.z[point][self.subject.index])
+        return self.subject.mechanism.places[point]
 
     def fitted(
-        self, spread: Callable[[float, float], Sequence[complex]], longest: float, size: float = 1.0
+        self, spread: Callable[[float], Sequence[tuple[complex, complex]]], longest: float, size: float = 1.0
     ) -> tuple[float, float]:
         """The largest scale (u per metre) at which the bodies have room, and the length of the longest vector (u).
 
-        They have it with what is ``spread`` at a scale and a length. Vectors ``longest`` at first become shorter until
-        they are no longer than the bodies are large: else these would be lost between their arrows.
+        They have it with what is ``spread`` about them where the longest vector is so long: each is a place (m) and how
+        far from it (u). Vectors ``longest`` at first become shorter until they are no longer than the bodies are large:
+        else these would be lost between their arrows.
         """
-        z = {name: self.place(name) for name in self.subject.motion.z}
+        z = self.subject.mechanism.places
         bodies = self._surroundings(z, 1.0).extent()
         whole = size_of(bodies)
         most = largest(bodies, size * _BODY_WIDE, size * _BODY_HIGH)
         if not math.isfinite(most):
             most = largest([z[name] for name in self.named], size * _BODY_WIDE, size * _BODY_HIGH)
-        least = (_LEAST_RODS if self._rods else _LEAST_BODY) * most
+        steps = math.ceil(math.log(_LEAST_RODS if self._rods else _LEAST_BODY, _SMALLER))
+        scales = np.multiply.accumulate([most, *[_SMALLER] * steps])
         while True:
-            scale = most
-            outline = [*(scale * place for place in bodies), *spread(scale, longest)]
-            while scale > least and largest(outline, WIDE, HIGH) < 1.0:
-                scale *= _SMALLER
-                outline = [*(scale * place for place in bodies), *spread(scale, longest)]
+            places, ways = np.array([*((place, 0j) for place in bodies), *spread(longest)], dtype=complex).T
+            width, height = (
+                np.ptp(np.multiply.outer(scales, at) + way, axis=1)
+                for at, way in ((places.real, ways.real), (places.imag, ways.imag))
+            )
+            roomy = (width <= WIDE) & (height <= HIGH)
+            scale = float(scales[roomy.argmax()] if roomy.any() else scales[-1])
             shortest = min(longest, max(_SHORTEST, scale * max(whole.real, whole.imag)))
             if not whole or longest <= shortest:
                 return scale, longest
@@ -144,13 +143,13 @@ class BodyBoard:
 
     def _surroundings(self, at: Mapping[str, complex], scale: float) -> Surroundings:
         """What is drawn, where the points are ``at`` places to a scale."""
-        variant = self.subject.variant
-        values = variant.form.values({name: variant.si(name) for name in variant.form.parameters})
+        mechanism = self.subject.mechanism
         members = [tuple(at[p] for p in self._drawn_of(body)) for body in self._bodies]
-        discs = [disc for disc in variant.form.figure.discs if not disc.arc]
-        own = {disc.body for disc in discs if disc.body in self._bodies or disc.centre == self.points[0]}
+        marked = zip(self.subject.form.figure.discs, mechanism.radii, strict=True)
+        discs = [(disc, radius) for disc, radius in marked if not disc.arc]
+        own = {disc.body for disc, _ in discs if disc.body in self._bodies or disc.centre == self.points[0]}
         own = set() if self._rods else own
-        rims = [(at[disc.centre], scale * float(disc.radius.value(values))) for disc in discs if disc.body in own]
+        rims = [(at[disc.centre], scale * radius) for disc, radius in discs if disc.body in own]
         places = (*(at[name] for name in self.points), *(scale * place for place in self._further))
         others = tuple(at[name] for name in self.named if name not in self.points)
         return Surroundings(places, tuple(members), tuple(rims), others)
@@ -160,7 +159,7 @@ class BodyBoard:
 
         They join it to the rest of the figure: the slot of a yoke to the end of its rod.
         """
-        form = self.subject.variant.form
+        form = self.subject.form
         own = [name for name in form.bodies[body] if name in self.points]
         return own if len(own) > 1 else [name for name in form.bodies[body] if name in (*own, *form.figure.hidden)]
 
@@ -247,7 +246,7 @@ def draw_axes(board: MotionBoard, place: complex, axes: Sequence[tuple[complex, 
 
 def _along(lines: Sequence[Line]) -> NDArray[np.complex128]:
     """Places along lines, so near to each other that they stand for all."""
-    segments = np.array([segment for line in lines for segment in segments_of(line, 0.5)], dtype=complex)
+    segments, _ = segments_of(lines, 0.5)
     steps = segments[:, 1] - segments[:, 0]
     counts = np.maximum(1, (np.abs(steps) / 3.0).astype(int))
     return np.append(spaced(segments[:, 0], steps, counts), segments[:, 1])

@@ -29,7 +29,6 @@ from variantgen.figure.placement.least_crowded import first_roomy
 from variantgen.figure.symbols.rotation import draw_arcs
 from variantgen.methods.linkage.instant import Instant
 from variantgen.methods.steps.point_vectors import PointVectors
-from variantgen.variants.printed_data import shown_points
 from variantgen.wording.formula import Formula, Symbol
 from variantgen.wording.solution.quantity_symbols import centre_letters
 
@@ -52,8 +51,7 @@ def draw_body_figure(
 
     Raises InputError where there is no such body, or no point of it has a vector.
     """
-    found = motion_data(subject.variant, subject.motion, subject.index, subject.asked, order)
-    named = vectors_of(subject.variant, subject.motion, subject.index, subject.asked, order, subject.language, vectors)
+    found, named = motion_data(subject.mechanism, order), vectors_of(subject.mechanism, order, vectors)
     now = found.now
     if body not in now.scene.bodies:
         raise InputError(Problem("the mechanism has no such body", key="view", value=body))
@@ -75,8 +73,7 @@ def _contacts(subject: FigureSubject, now: Instant, named: Vectors, body: str, k
     """The points at which a body touches others; beside its velocity centre those that move."""
     if kind not in ("centre", "contacts"):
         return {}
-    shown = shown_points(subject.variant, subject.asked)
-    found = contact_points(named.task, now, shown, body)
+    found = contact_points(named.task, now, subject.mechanism.shown, body)
     fastest = max(abs(vector) for vector in now.v.values())
     still = {name for name, contact in found.items() if abs(contact.velocity) < _NOTHING * fastest}
     return {
@@ -153,8 +150,8 @@ class BodyFigure:
         if centre is None:
             return self.by_vectors(self.bodies)
 
-        def spread(scale: float, longest: float) -> list[complex]:
-            return [*self._tips(scale, longest), *(scale * centre + way for way in _ROUND)]
+        def spread(longest: float) -> list[tuple[complex, complex]]:
+            return [*self._tips(longest), *((centre, way) for way in _ROUND)]
 
         scale, longest = self.bodies.fitted(spread, self._longest)
         size = max((abs(self.now.z[p] - self.now.z[q]) for p in self.moving for q in self.moving), default=0.0)
@@ -240,8 +237,9 @@ class BodyFigure:
         drawn = zip(self._shown.items(), lengths, strict=True)
         return {name: length * vector / abs(vector) for (name, vector), length in drawn}, lengthened
 
-    def _tips(self, scale: float, longest: float) -> list[complex]:
-        return [scale * self._places[name] + 1.1 * vector for name, vector in self._drawn(longest)[0].items()]
+    def _tips(self, longest: float) -> list[tuple[complex, complex]]:
+        """The places of points (m) and how far beyond their vectors reach (u)."""
+        return [(self._places[name], 1.1 * vector) for name, vector in self._drawn(longest)[0].items()]
 
     def _board(self, bodies: BodyBoard, scale: float, longest: float) -> MotionBoard:
         """The bodies with the vectors, of which the longest has this length (u)."""

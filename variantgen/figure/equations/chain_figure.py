@@ -31,10 +31,10 @@ def draw_chain(subject: FigureSubject) -> Drawing:
     if chain is None:
         raise InputError(Problem("the solution has no chain of links", key="view", value="rate_chain"))
     points = [chain.start, *chain.ends]
-    bodies = subject.variant.form.bodies
+    bodies = subject.form.bodies
     links = [next(name for name, members in bodies.items() if set(pair) <= set(members)) for pair in pairwise(points)]
     board = BodyBoard(subject, links, points)
-    scale, _ = board.fitted(lambda scale, longest: [_AXIS, _AXIS * 1j], 0.0)
+    scale, _ = board.fitted(lambda longest: [(0j, _AXIS), (0j, _AXIS * 1j)], 0.0)
     drawn = board.drawn(scale)
     sketch = drawn.sketch
     for number, (start, end) in enumerate(pairwise(points), 1):

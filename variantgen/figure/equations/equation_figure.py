@@ -41,7 +41,7 @@ def equation_figure(subject: FigureSubject, named: Vectors, equation: PointEquat
     shown = [arrow for arrow in arrows if abs(arrow.vector) > _NOTHING * longest]
     if not shown:
         raise InputError(Problem("all vectors of the equation are zero", key="view", value=equation.point))
-    known = set(subject.motion.z)
+    known = subject.mechanism.places
     met = [name for arrow in shown for name in (arrow.name.of, arrow.name.about) if name in known]
     others = [name for name in dict.fromkeys(met) if _is_on(subject, equation, name)]
     ends = [end for rod in equation.rods for end in rod]
@@ -52,7 +52,7 @@ def equation_figure(subject: FigureSubject, named: Vectors, equation: PointEquat
 
 def draw_equation(subject: FigureSubject, order: int, vectors: Sequence[PointVectors], which: str) -> Drawing:
     """The figure of the equation of an order with the number ``which`` (none: the first); InputError without one."""
-    named = vectors_of(subject.variant, subject.motion, subject.index, subject.asked, order, subject.language, vectors)
+    named = vectors_of(subject.mechanism, order, vectors)
     equations = named.found.equations
     number = int(which or 1)
     if not 1 <= number <= len(equations):
@@ -62,7 +62,7 @@ def draw_equation(subject: FigureSubject, order: int, vectors: Sequence[PointVec
 
 def _is_on(subject: FigureSubject, equation: PointEquation, name: str) -> bool:
     """Whether a point belongs to one of the bodies of the equation."""
-    return any(name in subject.variant.form.bodies.get(body, ()) for body in equation.bodies)
+    return any(name in subject.form.bodies.get(body, ()) for body in equation.bodies)
 
 
 def _arrows(equation: PointEquation) -> list[Arrow]:
@@ -102,9 +102,9 @@ def _base(
     # Else they would leave none for the bodies.
     longest *= min(1.0, largest([0j, *drawn], share * WIDE, share * HIGH))
 
-    def spread(scale: float, longest: float) -> list[complex]:
+    def spread(longest: float) -> list[tuple[complex, complex]]:
         drawn, _ = _tips(together, longest, bodies.subject.least)
-        return [scale * place, *(scale * place + 1.1 * vector for vector in drawn)]
+        return [(place, 0j), *((place, 1.1 * vector) for vector in drawn)]
 
     scale, longest = bodies.fitted(spread, longest, size)
     drawn, lengthened = _tips(together, longest, bodies.subject.least)

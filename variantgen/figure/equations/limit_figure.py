@@ -20,11 +20,11 @@ def draw_limits(subject: FigureSubject, points: Sequence[str]) -> Drawing:
     """The mechanism with both limit positions dashed; ``points`` are pivot, crank pin and end of the rod, or also the
     centre about which this end swings. Raises InputError where there are no such positions.
     """
-    known = subject.motion.z
+    known = subject.mechanism.places
     if len(points) not in (3, 4) or not all(point in known for point in points):
         raise _no_limits("the solution has no limit positions")
     annotate = partial(_annotate, tuple(points))
-    return draw_on_mechanism(subject.variant, subject.motion, subject.index, subject.asked, subject.language, annotate)
+    return draw_on_mechanism(subject.mechanism, annotate)
 
 
 def _annotate(points: tuple[str, ...], board: MotionBoard, stretch: float) -> None:

@@ -41,7 +41,7 @@ def draw_geometry(board: MotionBoard, subject: FigureSubject, symbols: Symbols, 
     _draw_segments(board, subject.geometry.segments)
     for foot in subject.geometry.feet:
         _draw_foot(board, foot)
-    formulas = Formulas(symbols, subject.variant.family.length_unit)
+    formulas = Formulas(symbols, subject.mechanism.variant.family.length_unit)
     seen: list[tuple[complex, float, float]] = []
     for corner in (_placed(board, corner) for corner in subject.geometry.corners):
         own = corner.centre == body and "centre" in sketch.at

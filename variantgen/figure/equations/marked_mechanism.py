@@ -20,9 +20,9 @@ _HEAD = 2.2
 
 def draw_marked_mechanism(subject: FigureSubject, vectors: Sequence[PointVectors], axes: bool) -> Drawing:
     """The figure, with the ``axes`` or without. Raises InputError where nothing can be drawn."""
-    named = vectors_of(subject.variant, subject.motion, subject.index, subject.asked, 1, subject.language, vectors)
+    named = vectors_of(subject.mechanism, 1, vectors)
     annotate = partial(_annotate, subject, named, axes)
-    return draw_on_mechanism(subject.variant, subject.motion, subject.index, subject.asked, subject.language, annotate)
+    return draw_on_mechanism(subject.mechanism, annotate)
 
 
 def _annotate(subject: FigureSubject, named: Vectors, axes: bool, board: MotionBoard, stretch: float) -> None:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.figure.drawing import THIN, Arc, Line, Path, Strokes
-from variantgen.figure.ink import segments_of, spaced
+from variantgen.figure.ink import corners_of, spaced
 
 STUB = 8.5  # how much of what is joined to the body at a point is drawn, u
 _NEAR = 1.7  # half the width of a bar, and what lies on it, u
@@ -58,21 +58,24 @@ class Surroundings:
         if not seen:
             return
         outlines = [_outline(line) for line in seen]
-        corners, ends = np.concatenate(outlines), np.cumsum([len(outline) for outline in outlines])
-        steps = np.diff(corners, append=0.0)
+        corners, ends = np.array([*chain(*outlines)], dtype=complex), np.cumsum([len(outline) for outline in outlines])
+        steps = np.zeros_like(corners)
+        steps[:-1] = corners[1:] - corners[:-1]
         steps[ends - 1] = 0.0
         counts = np.maximum(1, np.minimum(np.ceil(np.abs(steps) / _STEP), _MOST)).astype(int)
         # All places that are looked at, those of all lines in a row; where the corners are among them.
         places, at = spaced(corners, steps, counts), np.cumsum(counts) - counts
         starts = at[[0, *ends[:-1].tolist()]]
-        gaps = np.abs(places[:, None] - np.array(self.points, dtype=complex))
-        foreign = np.abs(places[:, None] - np.array(self.others, dtype=complex)).min(axis=1, initial=np.inf)
-        near, on_bodies = gaps <= np.minimum(STUB, foreign)[:, None], self._on_bodies(places)
+        gaps, to_others = _squares(places, self.points), _squares(places, self.others)
+        foreign = np.minimum.reduce(to_others, axis=0, initial=STUB**2)
+        near, on_bodies = gaps <= foreign, self._on_bodies(places)
+        anywhere = np.logical_or.reduce(near, axis=0)
         # A long line passes by the points that it is not joined to.
-        joined = np.minimum.reduceat(gaps, starts, axis=0) <= _JOINED
-        joined |= np.logical_and.reduceat(near.any(axis=1), starts)[:, None]
-        close = (near & joined.repeat(np.diff(starts, append=len(places)), axis=0)).any(axis=1)
-        inside, filled = close | on_bodies, near.any(axis=1) | on_bodies
+        joined = np.minimum.reduceat(gaps, starts, axis=1) <= _JOINED**2
+        joined |= np.logical_and.reduceat(anywhere, starts)
+        lengths = [*(starts[1:] - starts[:-1]).tolist(), len(places) - starts[-1]]
+        close = np.logical_or.reduce(near & joined.repeat(lengths, axis=1), axis=0)
+        inside, filled = close | on_bodies, anywhere | on_bodies
         for line, first, end in zip(seen, [0, *ends[:-1].tolist()], ends.tolist(), strict=True):
             if not isinstance(line, Strokes) and line.fill and filled[at[first:end]].all():
                 yield line._replace(weight=_light(line))
@@ -121,12 +124,18 @@ def _light(line: Line) -> float:
     return THIN if line.weight <= THIN else max(THIN, _LIGHTER * line.weight)
 
 
-def _outline(line: Line) -> Places:
+def _outline(line: Line) -> list[complex]:
     """The corners of a line in a row; of strokes their middles, each for itself."""
     if isinstance(line, Strokes):
-        return np.array([0.5 * (start + end) for start, end in line.segments], dtype=complex)
-    chords = segments_of(line, _SAGITTA)
-    return np.array([start for start, _ in chords] + [chords[-1][1]], dtype=complex)
+        return [0.5 * (start + end) for start, end in line.segments]
+    return corners_of(line, _SAGITTA)
+
+
+def _squares(places: Places, points: Sequence[complex]) -> NDArray[np.float64]:
+    """The squares of the distances of places of shape (N,) from points, shape (P, N)."""
+    steps = places - np.array(points, dtype=complex)[:, None]
+    found: NDArray[np.float64] = steps.real**2 + steps.imag**2
+    return found
 
 
 def _kept(

@@ -9,17 +9,13 @@ from functools import partial
 
 import numpy as np
 
-from variantgen.families.quantities import Quantity
 from variantgen.figure.board import Board
-from variantgen.figure.build import mechanism
+from variantgen.figure.build import Mechanism
 from variantgen.figure.drawing import BOLD, Drawing, Layer
 from variantgen.figure.motion.plans import EQUAL
 from variantgen.figure.placement.label_requests import along_arrow
 from variantgen.figure.placement.least_crowded import first_roomy
-from variantgen.mechanism.motion import Motion
-from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Equation, Formula, Symbol
-from variantgen.wording.language import Language
 
 LONGEST = 17.0  # length of the longest vector of a figure, u
 LONGEST_OF_MANY = 27.0  # the same where many vectors start at one point
@@ -89,11 +85,7 @@ class MotionBoard(Board):
 
 
 def draw_on_mechanism(
-    variant: Variant,
-    motion: Motion,
-    index: int,
-    asked: Sequence[Quantity],
-    language: Language,
+    mechanism: Mechanism,
     annotate: Callable[[MotionBoard, float], None],
     true_scale: bool = False,
 ) -> Drawing:
@@ -102,12 +94,11 @@ def draw_on_mechanism(
     ``annotate`` gets the board and the size of its vectors (in proportion to the usual one), which is varied until all
     letters find room. With ``true_scale`` no vector is lengthened to be seen.
     """
-    poses = mechanism(variant, motion, index, asked, language).poses
+    poses, least = mechanism.board().poses, 0.0 if true_scale else LEAST
 
     def drawn(stretch: float, size: float) -> Drawing:
         """The figure with vectors of one size on a mechanism of at most one size."""
-        base = partial(mechanism, variant, motion, index, asked, language, False, poses=poses)
-        return _fitted(base, annotate, stretch, size, 0.0 if true_scale else LEAST)
+        return _fitted(partial(mechanism.board, marks=False, poses=poses), annotate, stretch, size, least)
 
     return first_roomy(drawn(*sizes) for sizes in _SIZES)
 

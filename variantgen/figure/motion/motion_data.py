@@ -4,39 +4,55 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.parameters.units import Unit, unit
 from variantgen.families.quantities import Quantity
-from variantgen.mechanism.motion import Motion
+from variantgen.figure.build import Mechanism
 from variantgen.mechanism.outcome import Outcome
 from variantgen.methods.graphical.vector_chain import VectorChain, chain_of
 from variantgen.methods.linkage.instant import Instant, instant
 from variantgen.methods.linkage.problem import Task, task_of
 from variantgen.variants.printed_data import shown_points
-from variantgen.variants.variant import Variant
 
 _NOTHING = 1e-9  # of the largest vector
 
 
 @dataclass(frozen=True)
+class MovingMechanism(Mechanism):
+    """A mechanism with the numbers of its motion: what all figures of its solution have in common."""
+
+    @cached_property
+    def now(self) -> Instant:
+        """The numbers of its motion (SI)."""
+        return instant(self.motion, self.index)
+
+    @cached_property
+    def task(self) -> Task:
+        """The problem that its solution answers."""
+        return task_of(self.variant, self.motion, self.index, self.asked)
+
+
+@dataclass(frozen=True)
 class MotionData:
-    """One variant with its chain, its numbers, the unit of its vectors, and the task of its solution."""
+    """One variant with its chain, its numbers and the unit of its vectors."""
 
     chain: VectorChain
     now: Instant
     unit: Unit
-    task: Task
 
 
-def motion_data(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], order: int) -> MotionData:
+def motion_data(mechanism: MovingMechanism, order: int, asked: Sequence[Quantity] | None = None) -> MotionData:
     """The chain and the numbers for a figure of velocities (``order`` 1) or accelerations (2).
 
-    Raises InputError where the variant has no motion, accelerations are not asked, or nothing moves.
+    The chain leads to what is ``asked`` (none: all that is asked of the mechanism). Raises InputError where the variant
+    has no motion, accelerations are not asked, or nothing moves.
     """
-    name = variant.family.name
-    if not motion.solved[index]:
-        text = Outcome(int(motion.outcome[index])).text
+    variant, motion = mechanism.variant, mechanism.motion
+    asked, name = mechanism.asked if asked is None else asked, variant.family.name
+    if not motion.solved[mechanism.index]:
+        text = Outcome(int(motion.outcome[mechanism.index])).text
         raise InputError(Problem(f"there is no motion to draw: {text}", key="view", value=name))
     if order == 2 and not any(quantity.order == 2 for quantity in asked):
         raise InputError(
@@ -47,7 +63,7 @@ def motion_data(variant: Variant, motion: Motion, index: int, asked: Sequence[Qu
                 remedy="ask for an acceleration as well, such as a_B or epsilon_AB",
             )
         )
-    now = instant(motion, index)
+    now = mechanism.now
     chain = chain_of(variant.form, now, asked, shown_points(variant, asked))
     vectors = now.v if order == 1 else now.a
     sizes = [abs(vectors[point]) for point in chain.points]
@@ -55,4 +71,4 @@ def motion_data(variant: Variant, motion: Motion, index: int, asked: Sequence[Qu
         kind = "velocity" if order == 1 else "acceleration"
         raise InputError(Problem(f"no shown point has a {kind}", key="view", value=name))
     measure = unit(variant.family.length_unit + ("/s" if order == 1 else "/s^2"))
-    return MotionData(chain, now, measure, task_of(variant, motion, index, asked))
+    return MotionData(chain, now, measure)

@@ -5,14 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from variantgen.families.quantities import Quantity
-from variantgen.mechanism.motion import Motion
+from variantgen.figure.motion.motion_data import MovingMechanism
 from variantgen.methods.compose import named_vectors
-from variantgen.methods.linkage.problem import Task, task_of
+from variantgen.methods.linkage.problem import Task
 from variantgen.methods.steps.point_vectors import PointVectors
-from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Symbol
-from variantgen.wording.language import Language
 from variantgen.wording.solution.phrases import load_phrases
 from variantgen.wording.solution.quantity_symbols import Symbols
 
@@ -60,12 +57,8 @@ class Vectors:
 
 
 def vectors_of(
-    variant: Variant,
-    motion: Motion,
-    index: int,
-    asked: Sequence[Quantity],
+    mechanism: MovingMechanism,
     order: int,
-    language: Language,
     vectors: Sequence[PointVectors] = (),
     methods: Sequence[str] = (),
 ) -> Vectors:
@@ -73,6 +66,6 @@ def vectors_of(
 
     Where there is no solution beside the figure, those of one by the ``methods``, or by its natural ones.
     """
-    task = task_of(variant, motion, index, asked)
+    task, language = mechanism.task, mechanism.language
     symbols = Symbols(task.form, language, load_phrases(language.name), {})
     return Vectors(task, (vectors or named_vectors(task, methods))[order - 1], symbols)

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from variantgen.figure.drawing import THIN, Label, Layer, Path
 from variantgen.figure.ink import Segments, boxes_crossed, crosses
 from variantgen.figure.placement.label_requests import Costs, LabelRequest, Places, far_from
-from variantgen.figure.placement.misleading_places import misleading_costs
+from variantgen.figure.placement.misleading_places import MisleadingPlaces
 from variantgen.figure.placement.occupancy import Occupancy
 
 GAP = 0.8  # free space around a label, u
@@ -31,8 +31,9 @@ _PRODUCT = 15.0  # of two labels that stand side by side so near that they read 
 _BESIDE = 2.4  # u
 _FIRST = 10  # candidates of each label that are asked first what they could be mistaken for
 _SWEEPS = 4
+_AWAY = complex(1e6, 1e6)  # far from all paper
 _LEADER_GAP = 0.35  # between a leader and its label or the symbol, u
-_LEADER_SAMPLES = 24
+_ON_LEADER = np.linspace(0.0, 1.0, 24)  # places along a leader that are looked at
 
 
 @dataclass
@@ -74,8 +75,7 @@ def place_labels(
     worst = {i for i, c in enumerate(choices) if c.costs[c.taken] >= (_FAR if c.request.vector else _INK)}
     crowded = sorted(worst | set(_conflicting(choices) if first else ()))
     if crowded:
-        for i in crowded:
-            choices[i] = _with_leaders(choices[i], occupancy)
+        _add_leaders(choices, crowded, occupancy)
         _resolve_overlaps(choices, crowded)
     labels = [
         Label(c.request.formula, c.place, (2 * c.request.box[0], 2 * c.request.box[1]), arrow=c.request.arrow)
@@ -119,14 +119,15 @@ def _add_misleading(
     rank = np.empty(len(order), dtype=np.intp)
     rank[order] = np.arange(len(order)) - np.searchsorted(owner, owner)
     first = np.flatnonzero((rank < _FIRST) & (costs < _INK))
-    costs[first] += misleading_costs(requests, strangers, places[first], owner[first], occupancy)
+    misleading = MisleadingPlaces(requests, strangers, occupancy)
+    costs[first] += misleading.costs(places[first], owner[first])
     asked = np.zeros(len(costs), dtype=bool)
     asked[first] = True
     best = np.full(len(requests), np.inf)
     np.minimum.at(best, owner[first], costs[first])
     rest = np.flatnonzero(~asked & (costs < np.minimum(best[owner], _INK)))
     if rest.size:
-        costs[rest] += misleading_costs(requests, strangers, places[rest], owner[rest], occupancy)
+        costs[rest] += misleading.costs(places[rest], owner[rest])
 
 
 def _ink_costs(occupancy: Occupancy, places: Places, boxes: NDArray[np.float64]) -> Costs:
@@ -137,26 +138,29 @@ def _ink_costs(occupancy: Occupancy, places: Places, boxes: NDArray[np.float64])
     return result
 
 
-def _with_leaders(choice: _Choice, occupancy: Occupancy) -> _Choice:
-    """The choice with far candidates added."""
-    request = choice.request
-    places, costs = far_from(request)
-    boxes = np.broadcast_to(request.box, (len(places), 2))
-    parts = np.linspace(0.0, 1.0, _LEADER_SAMPLES)
-    # The leader from the edge of the symbol to the label: how many of its pieces run over ink.
-    steps = places - request.anchor
-    start = request.anchor + (request.clear + 0.8) * steps / np.abs(steps)
-    samples = start[:, None] + parts[None, :] * (places - start)[:, None]
+def _add_leaders(choices: list[_Choice], crowded: Sequence[int], occupancy: Occupancy) -> None:
+    """Add far candidates to some choices."""
+    requests = [choices[i].request for i in crowded]
+    far = [far_from(request) for request in requests]
+    places, costs = np.array([places for places, _ in far]), np.array([costs for _, costs in far])
+    boxes = np.array([request.box for request in requests]).repeat(places.shape[1], axis=0)
+    ink = _ink_costs(occupancy, places.ravel(), boxes).reshape(places.shape)
+    costs += _LEADER + ink
+    # The leader from the edge of the symbol to the label: how many of its pieces run over ink. Where the label itself
+    # would stand on a line, that is no matter.
+    owner, at = np.nonzero(ink < _INK)
+    anchors = np.array([request.anchor for request in requests])[owner]
+    steps = places[owner, at] - anchors
+    start = anchors + np.array([request.clear + 0.8 for request in requests])[owner] * steps / np.abs(steps)
+    samples = start[:, None] + _ON_LEADER * (places[owner, at] - start)[:, None]
     cut = occupancy.taken(samples.ravel(), 0.05, 0.05).reshape(samples.shape) > 0
-    crossings = cut[:, 0] + np.sum(cut[:, 1:] & ~cut[:, :-1], axis=1)
-    costs = costs + _LEADER + _CUT * crossings + _ink_costs(occupancy, places, boxes)
-    return _Choice(
-        request,
-        np.concatenate((choice.places, places)),
-        np.concatenate((choice.costs, costs)),
-        np.concatenate((choice.led, np.ones(len(places), dtype=bool))),
-        choice.taken,
-    )
+    costs[owner, at] += _CUT * (cut[:, 0] + np.sum(cut[:, 1:] & ~cut[:, :-1], axis=1))
+    led = np.ones(places.shape[1], dtype=bool)
+    for i, further, cost in zip(crowded, places, costs, strict=True):
+        choice = choices[i]
+        choice.places = np.concatenate((choice.places, further))
+        choice.costs = np.concatenate((choice.costs, cost))
+        choice.led = np.concatenate((choice.led, led))
 
 
 def _resolve_overlaps(choices: list[_Choice], first: Sequence[int]) -> None:
@@ -167,14 +171,17 @@ def _resolve_overlaps(choices: list[_Choice], first: Sequence[int]) -> None:
     pending = set(first)
     standing = _Standing(choices)
     for _ in range(_SWEEPS):
-        if not pending:
-            return
+        before = [choice.taken for choice in choices]
         for i in (k for k in order if k in pending):
-            choices[i].taken = int((choices[i].costs + _pair_costs(choices[i], *standing.but(i))).argmin())
-            standing.move(i, choices[i])
+            standing.take(i)
+            choices[i].taken = standing.best(choices[i])
+            standing.put(i, choices[i])
         # A label that could be led to, but still lies on a line, tries again in view of what has moved.
         stuck = {i for i, c in enumerate(choices) if c.costs[c.taken] >= _INK and c.led.any()}
-        pending = set(_conflicting(choices)) | stuck
+        done, pending = pending, set(_conflicting(choices)) | stuck
+        # Who has not moved would not do so in view of the same places.
+        if pending <= done and before == [choice.taken for choice in choices]:
+            return
 
 
 def _conflicting(choices: Sequence[_Choice]) -> list[int]:
@@ -202,39 +209,48 @@ class _Standing:
         self._boxes = np.array([choice.request.box for choice in choices])
         self._leaders = [choice.leader for choice in choices]
 
-    def move(self, i: int, choice: _Choice) -> None:
-        """Note that label i has moved."""
+    def take(self, i: int) -> None:
+        """Take a label away from the paper."""
+        self._places[i], self._leaders[i] = _AWAY, None
+
+    def put(self, i: int, choice: _Choice) -> None:
+        """Put a label to its chosen place."""
         self._places[i], self._leaders[i] = choice.place, choice.leader
 
-    def but(self, i: int) -> tuple[Places, NDArray[np.float64], list[Path]]:
-        """Those of all labels but one."""
-        others = np.arange(len(self._places)) != i
-        leaders = [leader for j, leader in enumerate(self._leaders) if leader and j != i]
-        return self._places[others], self._boxes[others], leaders
+    def best(self, own: _Choice) -> int:
+        """The candidate of a label that costs least in view of what stands."""
+        costs = self._overlaps(own)
+        best = int((own.costs + costs).argmin())
+        # What its own leaders would cross only matters where one is wanted.
+        if own.led[best]:
+            costs[own.led] += self._crossed_by_leaders(own)
+            best = int((own.costs + costs).argmin())
+        return best
 
+    def _overlaps(self, own: _Choice) -> Costs:
+        """Cost of the labels and leaders under each candidate of a label."""
+        half_width, half_height = own.request.box
+        across = np.abs(own.places.imag[:, None] - self._places.imag)
+        dx = np.abs(own.places.real[:, None] - self._places.real) - (self._boxes[:, 0] + half_width)
+        space = np.maximum(dx, across - (self._boxes[:, 1] + half_height))
+        # Letters side by side on one line read as a product.
+        product = (dx < _BESIDE) & (across < 0.7 * half_height)
+        costs: Costs = _PRODUCT * np.add.reduce(product, axis=1)
+        if (near := space < GAP).any():
+            costs += _CLOSE * np.add.reduce(near, axis=1) + _LABEL * np.add.reduce(space < _TIGHT, axis=1)
+        leaders = [leader.points for leader in self._leaders if leader]
+        if leaders:
+            box = (half_width + _TIGHT, half_height + _TIGHT)
+            costs += _LABEL * boxes_crossed(own.places, box, np.array(leaders))
+        return costs
 
-def _pair_costs(own: _Choice, places: Places, boxes: NDArray[np.float64], leaders: Sequence[Path]) -> Costs:
-    """Cost of the overlaps of each candidate of a label with others of these places, boxes and leaders."""
-    across = np.abs(own.places.imag[:, None] - places.imag)
-    dx = np.abs(own.places.real[:, None] - places.real) - boxes[:, 0] - own.request.box[0]
-    space = np.maximum(dx, across - boxes[:, 1] - own.request.box[1])
-    # Letters side by side on one line read as a product.
-    product = (dx < _BESIDE) & (across < 0.7 * own.request.box[1])
-    result: Costs = np.add.reduce(_LABEL * (space < _TIGHT) + _CLOSE * (space < GAP) + _PRODUCT * product, axis=1)
-    return result + _leader_costs(own, places, boxes + _TIGHT, leaders)
-
-
-def _leader_costs(own: _Choice, places: Places, boxes: NDArray[np.float64], leaders: Sequence[Path]) -> Costs:
-    """Cost of leaders of others under each candidate of a label, and of its own leaders over their boxes."""
-    costs = np.zeros(len(own.places))
-    if own.led.any():
+    def _crossed_by_leaders(self, own: _Choice) -> Costs:
+        """Cost of the labels that the leaders of a label would cross."""
+        boxes = self._boxes + _TIGHT
         ways = 0.5 * (own.places[own.led] - own.request.anchor)
-        middles = own.request.anchor + ways - places[:, None]
-        costs[own.led] += _LABEL * np.add.reduce(crosses(middles, ways, (boxes[:, :1], boxes[:, 1:])), axis=0)
-    if leaders:
-        box = (own.request.box[0] + _TIGHT, own.request.box[1] + _TIGHT)
-        costs += _LABEL * boxes_crossed(own.places, box, np.array([leader.points for leader in leaders]))
-    return costs
+        middles = own.request.anchor + ways - self._places[:, None]
+        crossed: Costs = _LABEL * np.add.reduce(crosses(middles, ways, (boxes[:, :1], boxes[:, 1:])), axis=0)
+        return crossed
 
 
 def _leader(request: LabelRequest, place: complex) -> Path | None:

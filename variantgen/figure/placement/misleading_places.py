@@ -19,58 +19,65 @@ _PLAINLY = 0.2  # how much nearer to its own arrow than to another the name of a
 _OWN = 1.0  # where that way ends before a line or symbol that is named, u
 
 
-def misleading_costs(
-    requests: Sequence[LabelRequest],
-    strangers: Sequence[complex],
-    places: Places,
-    owner: NDArray[np.intp],
-    occupancy: Occupancy,
-) -> Costs:
-    """Cost of each candidate that could be taken to name something else, shape (N,).
+class MisleadingPlaces:
+    """The points and arrows of a figure that labels could be taken to name.
 
-    It is nearer to a foreign point (or a foreign arrow) than to what the label names, or a line runs between.
+    ``strangers`` are named points beside those of the ``requests``.
     """
-    points = np.array([p for r in requests for p in r.own] + list(strangers), dtype=complex)
-    count = [len(r.own) for r in requests]
-    dx, dy = places.real[:, None] - points.real, places.imag[:, None] - points.imag
-    squares = dx * dx + dy * dy
-    # A stranger at the very place that a label names is no stranger.
-    same = np.abs(points[: sum(count), None] - points) < 1e-6
-    mine = np.logical_or.reduceat(same, np.cumsum([0, *count[:-1]]), axis=0)[owner]
-    own = np.where(mine, squares, np.inf)
-    own_at = own.argmin(axis=1)
-    nearest = own[np.arange(len(own)), own_at]
-    way = points[own_at] - places
-    clear = np.array([r.clear for r in requests])[owner]
-    way *= np.maximum(0.0, 1.0 - (clear + _OWN) / np.sqrt(nearest))
-    between = places[:, None] + _BETWEEN * way[:, None]
-    barred = np.logical_or.reduce(occupancy.taken(between.ravel(), 0.05, 0.05).reshape(between.shape) > 0, axis=1)
-    foreign = np.where(mine, np.inf, squares)
-    nearer = np.minimum.reduce(foreign, axis=1) < nearest
-    result: Costs = _STRANGER * nearer + _BARRIER * barred
-    arrow = np.array([bool(r.extent) for r in requests])
-    if arrow.any():
-        on_arrow = np.repeat([*arrow, False], [*count, len(strangers)])
-        misread = arrow[owner] & (np.minimum.reduce(foreign[:, on_arrow], axis=1) < nearest)
-        result += _MISREAD * (misread | _nearer_to_other_arrow(requests, places, owner))
-    return result
 
+    def __init__(self, requests: Sequence[LabelRequest], strangers: Sequence[complex], occupancy: Occupancy) -> None:
+        self._occupancy = occupancy
+        self._points = np.array([*(p for r in requests for p in r.own), *strangers], dtype=complex)
+        count = [len(r.own) for r in requests]
+        first = np.array([0, *count[:-1]]).cumsum()
+        # A stranger at the very place that a label names is no stranger.
+        same = np.abs(self._points[: sum(count), None] - self._points) < 1e-6
+        self._own = np.logical_or.reduceat(same, first, axis=0)
+        self._clear = np.array([r.clear + _OWN for r in requests])
+        self._boxes = np.array([r.box for r in requests])
+        self._extended = np.array([bool(r.extent) for r in requests])
+        self._on_extended = np.repeat([*self._extended, False], [*count, len(strangers)])
+        arrows = [r.arrow for r in requests]
+        self._arrows = np.array([arrow for arrow in arrows if arrow is not None], dtype=complex)
+        # The number of the arrow that a label names, or -1.
+        self._arrow_of = np.array([arrow is not None for arrow in arrows]).cumsum() - 1
+        self._arrow_of[[arrow is None for arrow in arrows]] = -1
 
-def _nearer_to_other_arrow(
-    requests: Sequence[LabelRequest], places: Places, owner: NDArray[np.intp]
-) -> NDArray[np.bool_]:
-    """Which candidates for the name of a straight arrow have a box that is nearer to another straight arrow."""
-    named = [i for i, request in enumerate(requests) if request.vector]
-    found = np.zeros(len(places), dtype=bool)
-    of = np.flatnonzero(np.isin(owner, named))
-    if len(named) < 2 or not of.size:
+    def costs(self, places: Places, owner: NDArray[np.intp]) -> Costs:
+        """Cost of each candidate of the labels ``owner`` that could be taken to name something else, shape (N,).
+
+        It is nearer to a foreign point (or a foreign arrow) than to what the label names, or a line runs between.
+        """
+        steps = self._points - places[:, None]
+        squares = steps.real**2 + steps.imag**2
+        mine = self._own[owner]
+        own = np.where(mine, squares, np.inf)
+        rows, own_at = np.arange(len(own)), own.argmin(axis=1)
+        nearest = own[rows, own_at]
+        way = steps[rows, own_at]
+        way *= np.maximum(0.0, 1.0 - self._clear[owner] / np.sqrt(nearest))
+        between = places[:, None] + _BETWEEN * way[:, None]
+        inked = self._occupancy.taken(between.ravel(), 0.05, 0.05).reshape(between.shape)
+        squares[mine] = np.inf
+        result: Costs = _STRANGER * (np.minimum.reduce(squares, axis=1) < nearest)
+        result += _BARRIER * (np.maximum.reduce(inked, axis=1) > 0)
+        if self._extended.any():
+            foreign = np.minimum.reduce(squares[:, self._on_extended], axis=1)
+            misread = self._extended[owner] & (foreign < nearest)
+            result += _MISREAD * (misread | self._nearer_to_other_arrow(places, owner))
+        return result
+
+    def _nearer_to_other_arrow(self, places: Places, owner: NDArray[np.intp]) -> NDArray[np.bool_]:
+        """Which candidates for the name of a straight arrow have a box that is nearer to another straight arrow."""
+        found = np.zeros(len(places), dtype=bool)
+        mine = self._arrow_of[owner]
+        of = np.flatnonzero(mine >= 0)
+        if len(self._arrows) < 2 or not of.size:
+            return found
+        boxes = self._boxes[owner[of]]
+        gaps = gaps_to_box(places[of, None], (boxes[:, :1], boxes[:, 1:]), self._arrows)
+        at = np.arange(len(of)), mine[of]
+        own = gaps[at]
+        gaps[at] = np.inf
+        found[of] = np.minimum.reduce(gaps, axis=1) < own + _PLAINLY
         return found
-    arrows = np.array([requests[i].arrow for i in named], dtype=complex)
-    boxes = np.array([r.box for r in requests])[owner[of]]
-    gaps = gaps_to_box(places[of, None], (boxes[:, :1], boxes[:, 1:]), arrows)
-    mine = np.searchsorted(named, owner[of])
-    rows = np.arange(len(of))
-    own = gaps[rows, mine]
-    gaps[rows, mine] = np.inf
-    found[of] = np.minimum.reduce(gaps, axis=1) < own + _PLAINLY
-    return found

@@ -44,7 +44,8 @@ class Occupancy:
         x, y = places.real - self._low.real, places.imag - self._low.imag
         bounds = np.array([x - half_width, x + half_width, y - half_height, y + half_height])
         bounds *= 1 / CELL
-        cells = np.floor(bounds, out=bounds).astype(np.intp)
+        # What is below zero becomes zero or less: the outermost cells are empty.
+        cells = bounds.astype(np.intp)
         cells += _BEYOND
         np.minimum(np.maximum(cells, 0, out=cells), self._last, out=cells)
         left_and_right, low_and_high = cells[:2], cells[2:]

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 
 from variantgen.families.quantities import Quantity
 from variantgen.figure.drawing import Drawing
-from variantgen.figure.motion.motion_data import MotionData, motion_data
+from variantgen.figure.motion.motion_data import MotionData, MovingMechanism, motion_data
 from variantgen.figure.motion.plans import VectorPlan, draw_plan, scale_of_plan
 from variantgen.figure.motion.solution_plan import solution_plan
 from variantgen.figure.motion.vectors import Vectors, vectors_of
@@ -34,8 +34,9 @@ def draw(
     vectors: Sequence[PointVectors] = (),
 ) -> Drawing:
     """The plan of one variant. Raises InputError where accelerations are not asked or there are none."""
-    found = motion_data(variant, motion, index, asked, ORDER)
-    named = vectors_of(variant, motion, index, asked, ORDER, language, vectors, ("graphical",))
+    mechanism = MovingMechanism(variant, motion, index, asked, language)
+    found = motion_data(mechanism, ORDER)
+    named = vectors_of(mechanism, ORDER, vectors, ("graphical",))
     return draw_plan(
         acceleration_plan(found, named), scale_of_plan(found.chain, found.now, ORDER, found.unit), language
     )

@@ -21,7 +21,7 @@ from variantgen.figure.motion.motion_board import (
     named_together,
     scale_of,
 )
-from variantgen.figure.motion.motion_data import MotionData, motion_data
+from variantgen.figure.motion.motion_data import MotionData, MovingMechanism, motion_data
 from variantgen.figure.motion.vectors import Named, Vectors, vectors_of
 from variantgen.figure.symbols.rotation import draw_arcs
 from variantgen.mechanism.motion import Motion
@@ -46,12 +46,12 @@ def draw(
 
     Raises InputError where accelerations are not asked or there are none.
     """
+    mechanism = MovingMechanism(variant, motion, index, asked, language)
     # A point that is asked only for its velocity is no matter of this figure.
-    sought = [quantity for quantity in asked if quantity.order == ORDER]
-    found = motion_data(variant, motion, index, sought, ORDER)
-    named = vectors_of(variant, motion, index, asked, ORDER, language, vectors)
+    found = motion_data(mechanism, ORDER, [quantity for quantity in asked if quantity.order == ORDER])
+    named = vectors_of(mechanism, ORDER, vectors)
     annotate = partial(_annotate, found, named)
-    return draw_on_mechanism(variant, motion, index, asked, language, annotate, true_scale)
+    return draw_on_mechanism(mechanism, annotate, true_scale)
 
 
 def _annotate(found: MotionData, named: Vectors, board: MotionBoard, stretch: float) -> None:

@@ -14,7 +14,7 @@ from variantgen.figure.drawing import MEDIUM, Drawing
 from variantgen.figure.motion.centre_rays import draw_centres
 from variantgen.figure.motion.contact_letters import contact_points, draw_contacts
 from variantgen.figure.motion.motion_board import NOTHING, MotionBoard, draw_on_mechanism, named_together, scale_of
-from variantgen.figure.motion.motion_data import MotionData, motion_data
+from variantgen.figure.motion.motion_data import MotionData, MovingMechanism, motion_data
 from variantgen.figure.motion.vectors import Vectors, vectors_of
 from variantgen.figure.symbols.rotation import draw_arcs
 from variantgen.mechanism.motion import Motion
@@ -36,10 +36,11 @@ def draw(
     true_scale: bool = False,
 ) -> Drawing:
     """The figure of one variant with the ``vectors`` of a solution. Raises InputError where nothing moves."""
-    found = motion_data(variant, motion, index, asked, ORDER)
-    named = vectors_of(variant, motion, index, asked, ORDER, language, vectors)
+    mechanism = MovingMechanism(variant, motion, index, asked, language)
+    found = motion_data(mechanism, ORDER)
+    named = vectors_of(mechanism, ORDER, vectors)
     annotate = partial(_annotate, found, named)
-    return draw_on_mechanism(variant, motion, index, asked, language, annotate, true_scale)
+    return draw_on_mechanism(mechanism, annotate, true_scale)
 
 
 def _annotate(found: MotionData, named: Vectors, board: MotionBoard, stretch: float) -> None:

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from variantgen.algebra.expression import Constant, Expression, Ratio, Times, Total, Value
 from variantgen.algebra.name import Name
-from variantgen.methods.geometry.angles import AngleForm, between, form_of, tidy
+from variantgen.methods.geometry.angles import AngleForm, between, tidy
 
 _SAME = 1e-6  # degrees within which a difference of two directions is the angle between them
 _SHORT = 2  # parts of a sum that is written out where it stands
@@ -143,5 +143,5 @@ def _matched(form: AngleForm, size: float, period: float) -> AngleForm:
         turns = round((size - _number(found)) / period)
         if abs(size - _number(found) - period * turns) < _SAME:
             found = found.turned(period * turns)
-            return form_of(found.parts, tidy(found.constant))
+            return AngleForm(found.parts, tidy(found.constant))
     raise ArithmeticError("an angle between two directions is not their difference")

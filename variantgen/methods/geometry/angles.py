@@ -152,6 +152,8 @@ def corner_name(vertex: str, first: str, second: str) -> Name:
 
 def tidy(number: float) -> float:
     """A number of degrees without the rounding of radians: one that near to a short decimal is that."""
+    if 1e-4 < number * 1e6 % 1.0 < 0.9999:  # most numbers are nowhere near one, which is seen sooner than rounded
+        return number
     short = round(number, 6)
     return short + 0.0 if abs(short - number) < _ROUNDING else number
 
@@ -163,7 +165,9 @@ def degrees(vector: complex) -> float:
 
 def normal_angle(angle: float) -> float:
     """An angle in (-180, 180]; without the rounding of radians."""
-    angle = tidy(angle - 360.0 * math.ceil((angle - 180.0) / 360.0 - 1e-12))
+    if not -179.0 < angle <= 180.0:
+        angle -= 360.0 * math.ceil((angle - 180.0) / 360.0 - 1e-12)
+    angle = tidy(angle)
     return 180.0 if angle == -180.0 else angle + 0.0
 
 

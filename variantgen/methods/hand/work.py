@@ -53,7 +53,8 @@ def work_of(answers: Iterable[Value]) -> Work:
     """The work of the solution that leads to these answers."""
     values = in_order(answers)
     own = [value for value in values if value.expression is not None]
-    parts = [part for value in own if value.expression is not None for part in walk(value.expression)]
+    expressions = [value.expression for value in own if value.expression is not None]
+    parts = [part for whole in expressions for part in walk(whole) if not isinstance(part, Value)]
     sizes = {tuple(map(id, part.right)): len(part.right) for part in parts if isinstance(part, LinearSolution)}
     called = [part for part in parts if isinstance(part, Applied)]
     return Work(

@@ -7,7 +7,7 @@ from itertools import combinations
 
 from variantgen.algebra.expression import Constant, Value
 from variantgen.methods.geometry.angle_sums import angle_sum, difference, is_short, is_single, valued
-from variantgen.methods.geometry.angles import AngleForm, between, corner_name, form_of
+from variantgen.methods.geometry.angles import AngleForm, between, corner_name
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Derived, Fact, Share, VectorOf
 from variantgen.variants.printed_data import shown_points
@@ -18,7 +18,7 @@ _DIGITS = 6  # decimals of a number of degrees by which sums are told apart
 
 
 def _key(form: AngleForm) -> AngleForm:
-    return form_of(form.parts, round(form.constant, _DIGITS) + 0.0)
+    return AngleForm(form.parts, round(form.constant, _DIGITS) + 0.0)
 
 
 def by_name(book: Book, angle: Value) -> Value:

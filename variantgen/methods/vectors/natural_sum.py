@@ -152,12 +152,8 @@ def _line(axis: _Axis) -> VectorOf | None:
 
 def _oblique(terms: Sequence[Term], axis: Value) -> int:
     """How many vectors lie neither on an axis nor across it."""
-    return sum(not _is_line(term.angle, axis) and not _is_square(term.angle, axis) for term in terms)
-
-
-def _is_line(first: Value, second: Value) -> bool:
-    turn = abs(normal_angle(first.exact - second.exact))
-    return min(turn, 180.0 - turn) < _STRAIGHT
+    straight = axis.exact
+    return sum(_STRAIGHT <= (term.angle.exact - straight) % 90.0 <= 90.0 - _STRAIGHT for term in terms)
 
 
 def _is_square(first: Value, second: Value) -> bool:

@@ -31,8 +31,9 @@ def _block(item: Block, writing: Writing) -> dict[str, Any]:
         case Paragraph(text):
             return {"kind": "text", "text": writing.text(text)}
         case FormulaLines(lines):
-            found = [[[p for piece in pieces for p in writing.pieces(*piece)] for pieces in row] for row in rows(lines)]
-            return {"kind": "formulas", "rows": found}
+            found = list(rows(lines))
+            made = [writing.row(row, last=i == len(found)) for i, row in enumerate(found, start=1)]
+            return {"kind": "formulas", "rows": made}
         case VectorTable(heads, unknown, lines):
             cells = [
                 [

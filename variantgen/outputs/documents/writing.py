@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, Protocol
 
 from variantgen.figure.drawing import Drawing
@@ -24,10 +25,10 @@ class Writing(Protocol):
     def heading(self, symbol: Formula, unit: UnitText) -> Any:
         """The head of a column of answers: ``v_B, cm/s``."""
 
-    def pieces(self, sign: str, formula: Formula) -> list[Any]:
-        """A piece of a formula on a line of its own, after a sign like ``=``; there is none before the first piece.
+    def row(self, formulas: Sequence[Sequence[tuple[str, Formula]]], last: bool) -> Any:
+        """Formulas in a row on lines of their own, ``last`` in their sentence.
 
-        It is one piece, or several where it is too long for the line.
+        Each is in pieces that hold together, with a sign like ``=`` before each; there is none before the first piece.
         """
 
     def figure(self, drawing: Drawing, caption: Text = ()) -> Any:

@@ -59,14 +59,17 @@ class HtmlWriting:
         """Symbol and unit."""
         return self.formula(symbol) + (markup(", ") + self.formula(unit) if unit.parts else "")
 
-    def pieces(self, sign: str, formula: Formula) -> list[dict[str, Any]]:
+    def row(self, formulas: Sequence[Sequence[tuple[str, Formula]]], last: bool) -> list[list[dict[str, Any]]]:
+        """Each formula in pieces."""
+        return [[self._piece(sign, formula) for sign, formula in pieces] for pieces in formulas]
+
+    def _piece(self, sign: str, formula: Formula) -> dict[str, Any]:
         """The sign with the space after it, the markup, and the class that sets long formulas smaller."""
-        own = {
+        return {
             "sign": f"{sign}\N{NO-BREAK SPACE}" if sign else "",
             "formula": markup(self.math(formula, True)),
             "class": next(name for letters, name in _LONG if breadth(formula) >= letters),
         }
-        return [own]
 
     def figure(self, drawing: Drawing, caption: Text = ()) -> Callable[..., Markup]:
         """A function of the millimetres of a figure unit and of the largest width in millimetres."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -43,9 +44,12 @@ class LatexWriting:
         """Symbol and unit, between which a line may end."""
         return Tex(f"${to_latex(symbol)}$, ${to_latex(unit)}$" if unit.parts else f"${to_latex(symbol)}$")
 
-    def pieces(self, sign: str, formula: Formula) -> list[tuple[Tex, Tex]]:
-        """The command for the sign and the markup."""
-        return [(Tex(sign_to_latex(sign) if sign else ""), self.formula(formula))]
+    def row(self, formulas: Sequence[Sequence[tuple[str, Formula]]], last: bool) -> list[list[tuple[Tex, Tex]]]:
+        """Each formula in pieces: the command for the sign and the markup."""
+        return [
+            [(Tex(sign_to_latex(sign) if sign else ""), self.formula(formula)) for sign, formula in pieces]
+            for pieces in formulas
+        ]
 
     def figure(self, drawing: Drawing, caption: Text = ()) -> Drawing:
         """The drawing itself: the template says the size."""

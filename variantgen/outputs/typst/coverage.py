@@ -30,11 +30,7 @@ def texts_of(exam: Exam, students: Sequence[Student]) -> Iterable[tuple[str, str
 def check_letters(exam: Exam, students: Sequence[Student]) -> None:
     """Raise InputError, which names every text with a letter that no font has."""
     texts = list(texts_of(exam, students))
-    unusual = sorted({letter for _, text in texts for letter in text if ord(letter) >= _USUAL_END})
-    if not unusual:
-        return
-    with typesetter() as engine:
-        absent = missing(engine, unusual)
+    absent = absent_letters(text for _, text in texts)
     if not absent:
         return
     remedy = "write it with other letters, or make pages for browsers, which have more fonts: --format html"
@@ -43,6 +39,15 @@ def check_letters(exam: Exam, students: Sequence[Student]) -> None:
         for what, text in texts
         if absent & set(text)
     )
+
+
+def absent_letters(texts: Iterable[str]) -> set[str]:
+    """The letters of texts that no font has."""
+    unusual = sorted({letter for text in texts for letter in text if ord(letter) >= _USUAL_END})
+    if not unusual:
+        return set()
+    with typesetter() as engine:
+        return missing(engine, unusual)
 
 
 def missing(engine: Typesetter, letters: Sequence[str]) -> set[str]:

@@ -17,7 +17,8 @@ from typing import Any
 
 import numpy as np
 
-from variantgen.figure.glyphs import KERNING, TABLE, outline
+from variantgen.figure.glyphs import KERNING, STRETCHED, TABLE, outline
+from variantgen.figure.tall_letters import ROOT
 from variantgen.outputs.typst.set_formulas import italic
 from variantgen.outputs.typst.typesetter import Typesetter, typesetter
 from variantgen.wording.formula import GREEK
@@ -32,6 +33,7 @@ _SIZES = ("{}", "script({})", "sscript({})")
 _START = 100.0  # where letters begin on a page, pt
 _GROUP = re.compile(r'<g transform="matrix\(1 0 0 -1 (-?[\d.]+) -?[\d.]+\)">(.*?)</g>')
 _USE = re.compile(r'<use xlink:href="#(\w+)" x="([^"]*)"')
+_BAR = re.compile(r'stroke-width="[\d.]+"[^>]* transform="translate\((-?[\d.]+) ')  # of a root
 _SYMBOL = re.compile(r'<symbol id="(\w+)"[^>]*><path d="([^"]*)"')
 _TOKEN = re.compile(r"[A-Za-z]|-?[\d.]+")
 _COUNT = {"m": 2, "l": 2, "h": 1, "v": 1, "c": 6}  # numbers per step
@@ -84,6 +86,26 @@ def measure(engine: Typesetter, letters: Sequence[str]) -> list[list[object]]:
         index, power = (_thousandths(_places(page)[1][1]) for page in (with_index, with_power))
         found.append([power, index, *_shape(alone)])
     return found
+
+
+def stretched(engine: Typesetter, opening: str, closing: str) -> list[tuple[list[object], list[object]]]:
+    """The sizes of two signs around something that grows, the smallest first, but for those put together from parts.
+
+    The sign of a root is its own other side.
+    """
+    around = "sqrt({})" if opening == ROOT else f"lr({opening}{{}}{closing})"
+    room = f"#box(width: {_START}pt, height: {{:.2f}}em, baseline: 50% - 0.25em)"
+    pages = _pages(engine, "".join(f"#put(${around.format(room.format(0.05 * n))}$)\n" for n in range(1, 80)))
+    found: dict[str, tuple[list[object], list[object]]] = {}
+    for page in pages:
+        (first, _), *others = _places(page)
+        if len(others) > 1 or (opening == ROOT and others):
+            break
+        last, end = others[0] if others else (first, float(_BAR.findall(page)[0]) - _START)
+        width = _thousandths(end - (_START if others else 0.0))
+        lengths: list[object] = [width, width, width]
+        found[first] = ([*lengths, *_shape(page, first)], [*lengths, *_shape(page, last)])
+    return list(found.values())
 
 
 def advances(engine: Typesetter, letters: str, level: int) -> list[int]:
@@ -228,6 +250,11 @@ def table() -> dict[str, object]:
                 found[name] = [width, index_at, step, *rest]
         upright = _LETTERS + _CYRILLIC + _MARKS
         found.update(zip((f"0u{letter}" for letter in upright), measure_upright(engine, upright), strict=True))
+        for signs in (ROOT + ROOT, "()", "||"):
+            sizes = stretched(engine, *signs)
+            for letter, rows in zip(signs, zip(*sizes, strict=True), strict=True):
+                # Parentheses of the height of a line are letters.
+                found.update((f"{n}{STRETCHED}{letter}", row) for n, row in enumerate(rows) if n or letter == ROOT)
         found[KERNING] = kerning(engine)
     return found
 

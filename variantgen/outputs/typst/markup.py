@@ -29,10 +29,29 @@ class TypstMarkup(str):
         return ", ".join(map(to_plain, self.formulas))
 
 
+class Piece(TypstMarkup):
+    """Markup of a piece of a formula on a line of its own, with fractions of full size; its formulas are one row."""
+
+    __slots__ = ()
+
+    @property
+    def plain(self) -> str:
+        """The same as plain text."""
+        return "".join(map(to_plain, self.formulas))
+
+
 @lru_cache(maxsize=10_000)
 def markup(formula: Formula) -> TypstMarkup:
     """A formula."""
     return TypstMarkup(to_typst(formula), formula)
+
+
+@lru_cache(maxsize=10_000)
+def piece(formula: Formula) -> Piece:
+    """A formula as it stands on a line of its own."""
+    text = to_typst(formula)
+    tall = "frac(" in text or "sqrt(" in text
+    return Piece(f"display({text})" if tall else text, formula)
 
 
 def heading(symbol: Formula, unit: UnitText) -> TypstMarkup:
@@ -49,15 +68,15 @@ def alternatives(data: Any) -> dict[str, str]:
 
 def marked(data: Any) -> list[TypstMarkup]:
     """All markup in the data of a document, each once."""
-    found: dict[TypstMarkup, None] = {}
+    found: dict[tuple[type, str], TypstMarkup] = {}
     waiting: list[Any] = [data]
     while waiting:
         item = waiting.pop()
         kind = type(item)  # most pieces are plain text and numbers
-        if kind is TypstMarkup:
-            found.setdefault(item)
+        if kind is TypstMarkup or kind is Piece:
+            found.setdefault((kind, item), item)
         elif kind is dict:
             waiting.extend(item.values())
         elif kind is list or kind is tuple:
             waiting.extend(item)
-    return list(found)
+    return list(found.values())

@@ -22,12 +22,15 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 from variantgen.errors import ToolMissingError, VariantgenError
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs.typst.markup import alternatives
-from variantgen.outputs.typst.set_formulas import set_formulas
+from variantgen.outputs.typst.set_formulas import set_formulas, set_pieces
+from variantgen.outputs.typst.solution_pages import TEXT_HEIGHT, contents_of, is_too_high, pages_of
 from variantgen.resources import templates_dir
 
 if TYPE_CHECKING:
     import typst
 
+# Templates for solutions, with the height of a page (mm): that of a single problem is as long as it needs to be.
+_ROOMS = {"solutions.typ": TEXT_HEIGHT, "explained.typ": 5000.0}
 _EPOCH = datetime.datetime(2000, 1, 1, tzinfo=datetime.UTC)
 
 
@@ -58,18 +61,19 @@ class Typesetter:
         """
         with_alt = tagged and form == "pdf"
         known: dict[str, Any] = {}
-        if form == "pdf":
-            known = (
-                {"alternatives": alternatives(data)}
-                if tagged
-                else {"set-formulas": set_formulas(data, template == "solutions.typ")}
-            )
+        if form == "pdf" and tagged:
+            known = {"alternatives": alternatives(data)}
+        elif form == "pdf":
+            known = {"set-formulas": set_formulas(data, longer=template in _ROOMS), "set-pieces": set_pieces(data)}
+        inputs = self._inputs(form, _json(data, with_alt), known)
         try:
+            if template in _ROOMS:
+                inputs = self._with_pages(inputs, _ROOMS[template])
             made = _compiler(self.root).compile(
                 self.root / template,
                 format=form,
                 ppi=ppi,
-                sys_inputs=self._inputs(form, _json(data, with_alt), known),
+                sys_inputs=self._told(inputs),
                 timestamp=_EPOCH,
                 pdf_standards=cast(Any, list(standards)),
                 pdf_tags=tagged,
@@ -81,28 +85,56 @@ class Typesetter:
             raise TypesettingError(f"the typesetting engine refused {template}: {error}") from error
         return [made] if isinstance(made, bytes) else list(made or ())
 
+    def _with_pages(self, inputs: dict[str, str], room: float) -> dict[str, str]:
+        """The inputs with the pages of a solution, for which the engine measures what stands on them.
+
+        The names of the inputs are the same while it measures: what they lead to is then remembered.
+        """
+        for parted in ("no", "yes"):
+            inputs = {**inputs, "pages": self._written("pages", "{}"), "parted": parted}
+            head, problems = contents_of(self._asked("solution_heights.typ", inputs))
+            if not is_too_high(problems):
+                break
+        self._written("pages", _json(pages_of(head, problems, room)))
+        return inputs
+
     def query(self, template: str, data: Mapping[str, Any], known: Mapping[str, Any]) -> list[float]:
         """The numbers that a template notes under the label ``found``; ``known`` are the formulas that are set."""
+        found: list[float] = self._asked(template, self._inputs("pdf", _json(data, False), {"set-formulas": known}))
+        return found
+
+    def _asked(self, template: str, inputs: dict[str, str]) -> Any:
         import typst
 
-        inputs = self._inputs("pdf", _json(data, False), {"set-formulas": known})
         # An engine of its own, because only a new one is given a template for a query: 3 ms, once for many sheets.
         engine = typst.Compiler(
-            self.root / template, root=self.root, font_paths=[], ignore_system_fonts=True, sys_inputs=inputs
+            self.root / template,
+            root=self.root,
+            font_paths=[],
+            ignore_system_fonts=True,
+            sys_inputs=self._told(inputs),
         )
-        found: list[float] = json.loads(engine.query("<found>", field="value", one=True))
-        return found
+        return json.loads(engine.query("<found>", field="value", one=True))
 
     def _inputs(self, form: str, data: str, known: Mapping[str, Any]) -> dict[str, str]:
         """What templates are told: the names of the files with the data, which are those of this process.
 
         The same names every time: what the engine remembers holds for documents that are told the same.
         """
-        inputs = {}
+        inputs = {"form": form}
         for name, text in {"data": data, **{name: _json(found) for name, found in known.items()}}.items():
-            inputs[name] = f"{name}-{os.getpid()}.json"
-            (self.root / inputs[name]).write_text(text, "utf-8")
-        return {**inputs, "form": form}
+            inputs[name] = self._written(name, text)
+        return inputs
+
+    def _written(self, name: str, text: str) -> str:
+        """The name of the file of this process that has some text now."""
+        file = f"{name}-{os.getpid()}.json"
+        (self.root / file).write_text(text, "utf-8")
+        return file
+
+    def _told(self, inputs: Mapping[str, str]) -> dict[str, str]:
+        """All inputs in one file: the engine takes several for others than before, as their order changes."""
+        return {"inputs": self._written("inputs", _json(inputs))}
 
 
 @lru_cache(maxsize=1)

@@ -1,4 +1,4 @@
-"""How wide formulas are, nearly: pages of solutions are planned with it before anything is laid out.
+"""How wide formulas are, nearly: for rows of solutions, of what the glyph table has no letters for.
 
 Within 7 % (standard deviation, 3400 pieces of 76 solutions) of what the engine measures, in em of the text.
 """

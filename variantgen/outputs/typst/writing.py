@@ -11,12 +11,16 @@ import numpy as np
 from variantgen.figure.curves import DASHES, Curve, curves
 from variantgen.figure.drawing import LETTER, Drawing
 from variantgen.outputs.qr import qr_rows, qr_svg
-from variantgen.outputs.typst.broken_fraction import COLUMN, in_the_line
-from variantgen.outputs.typst.markup import heading, markup
+from variantgen.outputs.typst.broken_fraction import in_the_line
+from variantgen.outputs.typst.formula_lines import in_lines
+from variantgen.outputs.typst.markup import Piece, heading, markup, piece
+from variantgen.outputs.typst.set_formulas import set_piece
 from variantgen.outputs.typst.widths import formula_width
 from variantgen.wording.formula import Equation, Formula, Measured, Surd, UnitText
 from variantgen.wording.text import Text, with_steady_dashes
 
+# What stands in a column without being made smaller than nine tenths of its size (em).
+_TOO_WIDE = 23.0
 _STEPS = {"M": "M%d %d", "L": "L%d %d", "C": "C%d %d %d %d %d %d", "Z": "Z"}
 
 
@@ -48,10 +52,10 @@ class TypstWriting:
         """The markup, which templates evaluate."""
         return heading(symbol, unit)
 
-    def pieces(self, sign: str, formula: Formula) -> list[list[Any]]:
-        """The sign as text, the markup and the width, nearly (em); of a fraction too wide for a column, parts of it."""
-        parts = in_the_line(sign, formula) if formula_width(formula) > COLUMN else [(sign, markup(formula), formula)]
-        return [[own, found, round(formula_width(part), 1)] for own, found, part in parts]
+    def row(self, formulas: Sequence[Sequence[tuple[str, Formula]]], last: bool) -> dict[str, Any]:
+        """The lines of the row; fractions too wide for a column are broken in the line."""
+        made = [[part for sign, formula in pieces for part in _pieces(sign, formula)] for pieces in formulas]
+        return in_lines(made, "." if last else ";")
 
     def figure(self, drawing: Drawing, caption: Text = ()) -> dict[str, Any]:
         """Data for ``figure.typ``."""
@@ -63,6 +67,14 @@ class TypstWriting:
 
 
 TYPST = TypstWriting()
+
+
+def _pieces(sign: str, formula: Formula) -> list[tuple[str, Piece]]:
+    """A piece, or the parts of a fraction too wide for a column."""
+    whole = piece(formula)
+    made = set_piece(whole)
+    width = made.width if made else formula_width(formula)
+    return in_the_line(sign, formula) if width > _TOO_WIDE else [(sign, whole)]
 
 
 def figure_data(drawing: Drawing) -> dict[str, Any]:

@@ -60,6 +60,10 @@ class MarkWords:
         """The symbol of a quantity."""
         return Markup(to_mathml(self.language.quantity(item.answer.quantity, self.symbols(item))))  # noqa: S704  # own MathML
 
+    def title(self, item: MarkedAnswer) -> str:
+        """The title of the problem that an answer is of."""
+        return self._found.finished.variant(item.place, item.problem).family.title(self._name)
+
     def unit(self, item: MarkedAnswer) -> Markup:
         """The unit of an answer; '' for none."""
         name = item.answer.unit
@@ -96,13 +100,15 @@ def queue(found: MarkedClass, words: MarkWords) -> list[dict[str, Any]]:
     ]
 
 
-def questions(found: MarkedClass) -> list[dict[str, Any]]:
-    """The answers that the exam asks for, with how many students have them and how many wait."""
-    asked = Counter((item.problem, item.answer.quantity.name) for item in found.marked.marks)
+def questions(found: MarkedClass, words: MarkWords) -> list[dict[str, Any]]:
+    """The answers that the exam asks for, by their first symbols, with how many of each wait."""
+    first: dict[tuple[int, str], MarkedAnswer] = {}
+    for item in found.marked.marks:
+        first.setdefault((item.problem, item.answer.quantity.name), item)
     waiting = Counter((problem, name) for _, problem, name in found.doubtful)
     return [
-        {"problem": problem, "quantity": name, "asked": count, "doubts": waiting[problem, name]}
-        for (problem, name), count in asked.items()
+        {"problem": problem, "quantity": name, "symbol": words.symbol(item), "doubts": waiting[problem, name]}
+        for (problem, name), item in first.items()
     ]
 
 
@@ -126,6 +132,7 @@ def student(found: MarkedClass, code: str, words: MarkWords) -> dict[str, Any]:
         "problems": [
             {
                 "number": number,
+                "title": words.title(items[0]),
                 "points": words.points(total.problems[number]),
                 "of": words.points(sum((item.of for item in items), Fraction(0))),
                 "answers": [answer(found, item, words) for item in items],

@@ -28,6 +28,10 @@ from variantgen.studio.summary import built_words
 from variantgen.studio.words import page_words
 
 _SECONDS = 600  # that a check may take
+_KINDS = ("sheets", "key", "solutions", "grading")  # of files, each of which is there for the class or for every group
+
+
+_WHOLE = "\0"  # the row of the whole class, which is no group
 
 
 def finished(request: Request) -> FinishedBuild:
@@ -129,12 +133,24 @@ def _pack(build: FinishedBuild, path: Path) -> None:
 
 
 def _shown(build: FinishedBuild, words: Any) -> dict[str, Any]:
-    """A build in the list: its files by kind, first those of the whole class."""
-    files = [
-        {"number": number, "name": name, "size": _size(size, words.language), "inner": "/" in name}
-        for number, (name, size) in enumerate(build.files)
-    ]
+    """A build in the list: a table of its files, by groups and kinds; those that are in none; how many are left."""
+    rows: dict[str, dict[str, list[dict[str, Any]]]] = {}
+    other, more = [], 0
+    for number, (name, size) in enumerate(build.files):
+        file = {"number": number, "name": name, "size": _size(size, words.language)}
+        file["kind"] = Path(name).suffix[1:].upper()
+        group, kind = _place(build, name)
+        if kind:
+            rows.setdefault(group, {}).setdefault(kind, []).append(file)
+        elif "/" in name:
+            more += 1
+        else:
+            other.append(file)
+    kinds = [kind for kind in _KINDS if any(kind in row for row in rows.values())]
+    order = [_WHOLE, *(group for group, _ in build.groups)]
     return {
+        "kinds": kinds,
+        "rows": [(None if group == _WHOLE else group, rows[group]) for group in order if group in rows],
         "key": build.key,
         "day": built_words(words, build.day),
         "name": build.folder.name,
@@ -142,9 +158,24 @@ def _shown(build: FinishedBuild, words: Any) -> dict[str, Any]:
         "students": words.counted(build.students, "student"),
         "seed": build.seed,
         "size": _size(build.size, words.language),
-        "files": [file for file in files if not file["inner"]],
-        "more": sum(bool(file["inner"]) for file in files),
+        "files": other,
+        "more": more,
     }
+
+
+def _place(build: FinishedBuild, name: str) -> tuple[str, str]:
+    """The row and the column of a file in the table of a build: the group and the kind; no kind for other files."""
+    *above, last = Path(name).parts
+    if above[:1] in (["html"], ["latex"]):
+        del above[0]
+    stem = last.partition(".")[0] if not above else Path(last).stem
+    if not above and stem in _KINDS:
+        return _WHOLE, stem
+    if len(above) == 1 and above[0] in _KINDS:
+        for group, own in build.groups:
+            if own == stem:
+                return group, above[0]
+    return _WHOLE, ""
 
 
 def _size(size: int, language: str) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from importlib.util import find_spec
 from typing import Any
 
 from starlette.concurrency import run_in_threadpool
@@ -14,15 +15,22 @@ from variantgen.errors import InputError, Problem
 from variantgen.studio.documents.document import Document
 from variantgen.studio.documents.edits import apply, read_operations
 from variantgen.studio.frame import build_command, language_of, render
-from variantgen.studio.messages import error_text
+from variantgen.studio.messages import command_text, error_text
 from variantgen.studio.preview import class_of
 from variantgen.studio.requests import document_of, number_of, read_json, studio_of, text_of
 from variantgen.studio.studio import Studio
-from variantgen.studio.summary import problems_of, students
+from variantgen.studio.summary import groups, problems_of, students
 from variantgen.studio.workspace import USUAL_CLASS, write_whole
 
+GROUPED = ("pdf", "xlsx", "html", "latex")  # formats that can have a file for each group
 FORMATS = ("pdf", "xlsx", "html", "moodle", "canvas", "qti21", "qti30", "latex", "prairielearn")
 _MOST = 1_000_000
+_NEEDED = {"xlsx": ("xlsxwriter", "xlsx"), "latex": ("pylatex", "latex")}  # the packages of formats, and their extras
+
+
+def _install(extra: str) -> str:
+    """The command that installs what a format needs."""
+    return f'pip install ".[{extra}]"'
 
 
 async def build(request: Request) -> Response:
@@ -32,13 +40,19 @@ async def build(request: Request) -> Response:
         known, fault = students(studio), ""
     except InputError as error:
         known, fault = 0, error_text(error, language_of(request))
-    formats = document.state().data.get("formats", ["pdf"])
+    data = document.state().data
+    formats = data.get("formats", ["pdf"])
+    tables = [data[name] for name in GROUPED if isinstance(data.get(name), dict)]
     context: dict[str, Any] = {
         "formats": FORMATS,
         "chosen": formats if isinstance(formats, list) else [],
+        "missing": {name: _install(extra) for name, (package, extra) in _NEEDED.items() if find_spec(package) is None},
+        "grouped": GROUPED,
+        "by_groups": any(table.get("files") == "groups" for table in tables),
+        "groups": 0 if fault else len(groups(studio)),
         "roster": known,
         "usual": USUAL_CLASS,
-        "running": studio.builds.state(document.key),
+        "running": _state(studio, document, language_of(request)),
         "ready": bool(problems_of(document)),
         "fault": fault,
     }
@@ -63,10 +77,19 @@ async def stop(request: Request) -> Response:
 
 
 async def progress(request: Request) -> Response:
-    """How far the build is, and how many mistakes the exam has."""
+    """How far the build is, how many mistakes the exam has, the command of the next build."""
     document = document_of(request)
     found = len(await run_in_threadpool(document.mistakes)) if problems_of(document) else 0
-    return JSONResponse({"state": studio_of(request).builds.state(document.key), "mistakes": found})
+    studio = studio_of(request)
+    line = build_command(studio, document)
+    state = _state(studio, document, language_of(request))
+    return JSONResponse({"state": state, "mistakes": found, "command": line})
+
+
+def _state(studio: Studio, document: Document, language: str) -> dict[str, Any]:
+    """How far the build is; why it has failed in the language of the page."""
+    state = studio.builds.state(document.key)
+    return {**state, "text": command_text(state["text"], language)} if "text" in state else state
 
 
 async def next_year(request: Request) -> Response:

@@ -11,6 +11,7 @@ from starlette.responses import HTMLResponse, JSONResponse, Response
 from starlette.routing import Route
 
 from variantgen.errors import InputError, Problem
+from variantgen.families.method_names import METHODS
 from variantgen.studio.catalogue import KINDS, ONLY, TOPICS, cards
 from variantgen.studio.documents.document import Document
 from variantgen.studio.figures import FIRST_SEED, MOST_SEEDS, card_figure, known_figure, specimen
@@ -30,8 +31,8 @@ async def choose(request: Request) -> Response:
     """The page."""
     document = document_of(request)
     line = command("variantgen", "list", "--lang", language_of(request))
-    context: dict[str, Any] = {"topics": TOPICS, "kinds": KINDS, "levels": LEVELS, "chosen": chosen(document)}
-    return render(request, "choose", studio_of(request), document, line, **context)
+    filters: dict[str, Any] = {"topics": TOPICS, "kinds": KINDS, "levels": LEVELS, "methods": METHODS}
+    return render(request, "choose", studio_of(request), document, line, chosen=chosen(document), **filters)
 
 
 async def shown_cards(request: Request) -> Response:
@@ -40,9 +41,7 @@ async def shown_cards(request: Request) -> Response:
     found = await run_in_threadpool(cards, studio.workspace)
     starred = stars(studio)
     shown = [shown_card(card, language, starred) for card in found]
-    counts = {
-        name: sum(name in card["topics"] or name in card["kinds"] for card in shown) for name in (*TOPICS, *KINDS)
-    }
+    counts = {name: sum(name in _about(card) for card in shown) for name in (*TOPICS, *KINDS, *METHODS)}
     counts |= {f"level{level}": sum(card["level"] == level for card in shown) for level in LEVELS}
     html = part(request, "cards", "choose", cards=shown, first=FIRST_SEED, levels=LEVELS)
     words = page_words(language)
@@ -111,6 +110,11 @@ def chosen(document: Document) -> list[dict[str, Any]]:
 
 def _name(card: dict[str, Any]) -> str:
     return f"{card['family']}/{card['form'] or ONLY}"
+
+
+def _about(card: dict[str, Any]) -> list[str]:
+    """What a card is found by: its topics, the kinds of what it asks, the methods that lead to it."""
+    return [*card["topics"], *card["kinds"], *card["methods"]]
 
 
 def shown_card(card: dict[str, Any], language: str, starred: set[str]) -> dict[str, Any]:

@@ -19,12 +19,14 @@ from variantgen.studio.documents.edits import plain
 from variantgen.studio.frame import build_command, language_of, part, render
 from variantgen.studio.messages import explained
 from variantgen.studio.requests import document_of, number_of, read_json, studio_of, text_of
+from variantgen.studio.studio import Studio
 from variantgen.studio.summary import summary
 from variantgen.studio.words import page_words
 from variantgen.studio.workspace import write_whole
 
 DEPTHS = ("full", "short", "answers", "none")
 _MOST = 100  # problems of an exam
+_SUGGESTED = (("slider_crank", "central"), ("rolling_wheel", ""), ("four_bar", "crank"))  # to begin with
 
 
 async def compose(request: Request) -> Response:
@@ -32,7 +34,16 @@ async def compose(request: Request) -> Response:
     studio, document = studio_of(request), document_of(request)
     line = build_command(studio, document)
     whom = summary(page_words(language_of(request)), studio, document)["roster"] if studio.workspace.roster() else ""
-    return render(request, "compose", studio, document, line, settings=_settings(document), depths=DEPTHS, whom=whom)
+    shown: dict[str, Any] = {"settings": _settings(document), "depths": DEPTHS, "whom": whom}
+    shown["suggested"] = await run_in_threadpool(_suggested, studio, language_of(request))
+    return render(request, "compose", studio, document, line, **shown)
+
+
+def _suggested(studio: Studio, language: str) -> list[dict[str, str]]:
+    """Problems that an exam may begin with."""
+    known = {(card["family"], card["form"]): card for card in cards(studio.workspace)}
+    found = [known[name] for name in _SUGGESTED if name in known]
+    return [{"family": one["family"], "form": one["form"], "title": one["titles"][language]} for one in found]
 
 
 async def outline(request: Request) -> Response:

@@ -18,10 +18,11 @@ from variantgen.studio.documents.document import Document
 from variantgen.studio.documents.edits import read_operations, written
 from variantgen.studio.documents.journal import FileChange
 from variantgen.studio.frame import command, language_of, render, step_words
+from variantgen.studio.messages import in_language
 from variantgen.studio.requests import WINDOW, document_of, read_json, studio_of, text_of
 from variantgen.studio.studio import Studio
 from variantgen.studio.summary import problems_of, summary
-from variantgen.studio.words import page_words
+from variantgen.studio.words import PageWords, page_words
 from variantgen.studio.workspace import write_whole
 
 
@@ -29,13 +30,14 @@ async def exams(request: Request) -> Response:
     """The page; with one exam, straight to it."""
     studio = studio_of(request)
     found = studio.workspace.exams()
-    unreadable = studio.workspace.unreadable()
+    language = language_of(request)
+    unreadable = {name: in_language(reason, language) for name, reason in studio.workspace.unreadable().items()}
     if len(found) == 1 and not unreadable and "all" not in request.query_params:
         key = next(iter(found))
         page = "compose" if problems_of(studio.document(key)) else "choose"
         return RedirectResponse(f"/{key}/{page}", 303)
-    words = page_words(language_of(request))
-    listed = [_row(studio.document(key), words.counted) for key in found]
+    words = page_words(language)
+    listed = [_row(studio.document(key), words) for key in found]
     line = command("variantgen", "new", "exam", "exam")
     return render(request, "exams", studio, command=line, listed=listed, unreadable=unreadable)
 
@@ -130,7 +132,7 @@ def answer(request: Request, studio: Studio, document: Document) -> dict[str, An
     }
 
 
-def _row(document: Document, counted: Any) -> dict[str, str]:
+def _row(document: Document, words: PageWords) -> dict[str, str]:
     """An exam in the list of all."""
     state = document.state()
     title = state.data.get("title")
@@ -138,7 +140,7 @@ def _row(document: Document, counted: Any) -> dict[str, str]:
         "key": document.key,
         "file": document.path.name,
         "title": title if isinstance(title, str) and title else document.path.stem,
-        "under": state.broken or counted(len(problems_of(document)), "problem"),
+        "under": in_language(state.broken, words.language) or words.counted(len(problems_of(document)), "problem"),
         "page": "compose" if problems_of(document) else "choose",
     }
 

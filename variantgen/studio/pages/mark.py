@@ -197,7 +197,7 @@ def _listing(request: Request, folder: MarkingFolder, found: MarkedClass, langua
     _note(request, folder, {"handed_in": handed_in, "students": len(students)})
     context = {
         "students": students,
-        "questions": questions(found),
+        "questions": questions(found, words),
         "files": files,
         "faults": faults,
         "lost": [

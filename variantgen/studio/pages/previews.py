@@ -159,7 +159,8 @@ def _about(count: int, words: Any) -> str:
     own = words.of("compose")
     for size, key in ((10**9, "billions"), (10**6, "millions")):
         if count >= size:
-            return str(own[key]).format(number=round(count / size) if count >= 10 * size else f"{count / size:.1f}")
+            text = str(round(count / size)) if count >= 10 * size else f"{count / size:.1f}"
+            return str(own[key]).format(number=text.replace(".", "," if words.language == "ru" else "."))
     rounded = count if count < 100 else round(count, 2 - len(str(count)))
     return f"≈ {words.counted(rounded, 'variant')}"
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from variantgen.errors import InputError
@@ -69,8 +70,17 @@ def look(studio: Studio, document: Document, place: int, language: str) -> dict[
         "students": words.counted(len(reading.students), "student"),
         "counts": _counts(table, reading),
         "hidden": max(len(table.tabs[shown].rows) - _SHOWN, 0),
+        "boxes": _boxes(reading.students),
         "since": _since(record, reading, studio, document, language),
     }
+
+
+def _boxes(students: Sequence[Student]) -> list[str]:
+    """The names with a letter that the fonts for paper lack: a build with PDF would refuse them."""
+    from variantgen.outputs.typst.coverage import absent_letters
+
+    absent = absent_letters(text for student in students for text in (student.name, student.group))
+    return [student.name for student in students if absent & {*student.name, *student.group}]
 
 
 def _rows(tab: Tab, place: int, reading: ClassReading) -> list[dict[str, Any]]:

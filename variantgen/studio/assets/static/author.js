@@ -134,6 +134,13 @@ function work() {
     last.setRangeText(`{{ ${name} }}`, last.selectionStart, last.selectionEnd, "end");
     last.focus(); last.dispatchEvent(new Event("input"));
   }
+  // From a statement to the names and back.
+  const name = by => { const all_ = all("button", $("names")), at = all_.indexOf(document.activeElement); all_[(at + by + all_.length) % all_.length]?.focus(); };
+  $("names").addEventListener("keydown", event => {
+    const by = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.code];
+    if (by) name(by); else if (event.code === "Escape") last.focus(); else return;
+    event.preventDefault();
+  });
   const other = by => { seed = Math.max(0, seed + by); show(); };
   $("before").addEventListener("click", () => other(-1));
   $("after").addEventListener("click", () => other(1));
@@ -161,6 +168,7 @@ function work() {
   });
   addEventListener("keydown", event => {
     if (event.altKey && (event.code === "PageUp" || event.code === "PageDown")) other(event.code === "PageUp" ? -1 : 1);
+    else if (event.ctrlKey && event.code === "Space") name(1);
     else if (event.code === "F8" && mistakes.length) { at = (at + 1) % mistakes.length; go(mistakes[at]); }
     else return;
     event.preventDefault();

@@ -11,7 +11,7 @@ const order = ["drawing", "typesetting", "built"];
 function show(state) {
   const phase = state.phase ?? "", ended = ["built", "stopped", "failed", ""].includes(phase);
   $("run").hidden = !phase;
-  if (begin) { begin.disabled = !ended; label.textContent = ended ? phase === "stopped" ? words.go_on : words.start : state.rest == null ? words.building : fill(words.ready_in, { rest: clock(state.rest) }); }
+  if (begin) { begin.disabled = !ended; label.textContent = ended ? phase === "stopped" ? words.go_on : words.start : state.rest == null || phase !== "typesetting" ? words.building : fill(words.ready_in, { rest: clock(state.rest) }); }
   if (!phase) return;
   $("done").textContent = phase === "failed" ? words.failed : phase === "stopped" ? words.stopped : state.total ? fill(words.of, { done: state.done, total: state.total }) : "…";
   $("rest").textContent = ended ? state.name ?? "" : [words[phase] ?? "", state.each ? fill(words.each, { each: state.each.toLocaleString(lang) }) : "", state.rest != null ? fill(words.left, { rest: clock(state.rest) }) : ""].filter(Boolean).join(" · ");
@@ -25,7 +25,20 @@ function show(state) {
     row.firstElementChild.replaceWith(icon(ok ? "check" : now ? "clock" : "blank"));
   });
 }
-on("build", data => { if (data.exam === exam) { show(data); if (data.phase === "built") archive(); } });
+on("build", data => {
+  if (data.exam !== exam) return;
+  show(data);
+  if (data.phase === "built") archive();
+  if (data.phase === "built" || data.phase === "failed") ended().catch(complain);
+});
+// The command of the next build, which has another folder than the last one; why it failed, in the language of the page.
+async function ended() {
+  const now = await get(`/${exam}/progress?${asked}`);
+  show(now.state);
+  $("command").textContent = now.command;
+  if ($("variants")) numbered();
+}
+const numbered = () => { const command = $("command"); command.textContent = command.textContent.replace(/--variants \S+/, `--variants ${$("variants").value.trim() || "1"}`); };
 begin?.addEventListener("click", async () => {
   begin.disabled = true;
   try { show(await post(`/${exam}/start`, { variants: $("variants")?.value ?? "" })); } catch (error) { begin.disabled = false; complain(error); }
@@ -34,15 +47,16 @@ $("stop").addEventListener("click", () => post(`/${exam}/stop`, {}).catch(compla
 
 // ---- formats are a key of the exam
 page.addEventListener("change", async event => {
-  if (event.target.name !== "format") return;
-  const chosen = all("input[name=format]:checked").map(box => box.value);
+  const groups = $("by-groups");
+  if (event.target.name !== "format" && event.target !== groups) return;
+  const boxes = all("input[name=format]"), chosen = boxes.filter(box => box.checked).map(box => box.value);
   if (!chosen.length) { event.target.checked = true; return note(words.one_format); }
-  try { await edit([{ op: "set", path: "formats", value: chosen }], words.formats); } catch (error) { event.target.checked = !event.target.checked; complain(error); }
+  const files = boxes.filter(box => "grouped" in box.dataset && groups && (groups.checked ? box.checked : event.target === groups));
+  const operations = files.map(box => groups.checked ? { op: "set", path: `${box.value}.files`, value: "groups" } : { op: "unset", path: `${box.value}.files` });
+  if (event.target !== groups) operations.unshift({ op: "set", path: "formats", value: chosen });
+  try { await edit(operations, event.target === groups ? words.by_groups : words.formats); } catch (error) { event.target.checked = !event.target.checked; complain(error); }
 });
-$("variants")?.addEventListener("input", event => {
-  const command = $("command");
-  command.textContent = command.textContent.replace(/--variants \S+/, `--variants ${event.target.value.trim() || "1"}`);
-});
+$("variants")?.addEventListener("input", numbered);
 
 // ---- what was built
 async function archive() {
@@ -100,6 +114,6 @@ $("rekey").addEventListener("submit", async event => {
 
 show(JSON.parse(page.dataset.running));
 await archive();
-const now = await get(`/${exam}/progress`);
+const now = await get(`/${exam}/progress?${asked}`);
 show(now.state);
 if (now.mistakes && begin) begin.replaceWith(el("a", { className: "button primary", href: `/${exam}/compose` }, words.mistakes_first, icon("right")));

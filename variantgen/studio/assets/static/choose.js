@@ -1,9 +1,10 @@
 // Choose: cards that are filtered, searched, drawn again, starred, put into the exam.
-import { $, all, complain, edit, el, exam, fill, get, icon, lang, note, onOutside, post, typing, undo } from "./studio.js";
+import { $, all, complain, edit, el, exam, fill, get, icon, lang, note, onOutside, post, single, typing, undo } from "./studio.js";
 
 const page = document.querySelector(".choose"), words = JSON.parse(page.dataset.words);
 const shelf = $("cards"), filters = $("filters");
 let chosen = JSON.parse(page.dataset.chosen), cards = [];
+const LAST = 10000;  // behind all problems, also behind one whose edit is under way
 const plain = text => text.toLowerCase().replaceAll("ё", "е");
 
 // ---- the exam: which problems have a card
@@ -35,7 +36,7 @@ async function toggle(card) {
       note(fill(words.removed, { number: at.at(-1) }), document.querySelector("#undo .lbl").textContent, undo);
     } else {
       const value = Number(forms) > 1 ? { family, form, points: 10 } : { family, points: 10 };
-      await edit([{ op: "insert", path: "problem", at: chosen.length + 1, value }]);
+      await edit([{ op: "insert", path: "problem", at: LAST, value }]);
       chosen.push({ families: [family], forms: value.form ? [form] : [] });
       note(fill(words.added, { number: chosen.length }), document.querySelector("#undo .lbl").textContent, undo);
     }
@@ -48,24 +49,45 @@ $("go").addEventListener("click", event => { if (!chosen.length) { event.prevent
 // ---- filters
 const ticked = name => all(`input[name=${name}]:checked`, filters).map(box => box.value);
 function filter() {
-  const [topics, kinds, levels, only] = ["topic", "kind", "level", "only"].map(ticked);
+  const [topics, kinds, methods, levels, only] = ["topic", "kind", "method", "level", "only"].map(ticked);
   const searched = plain(filters.q.value).split(/\s+/).filter(Boolean);
   let count = 0;
   for (const card of cards) {
-    const own = card.dataset, has = (list, text) => !list.length || list.some(one => text.split(" ").includes(one));
-    const fits = has(topics, own.topics) && kinds.every(kind => own.kinds.split(" ").includes(kind)) && has(levels, own.level)
+    const own = card.dataset, has = (list, text) => !list.length || list.some(one => text.split(" ").includes(one)), every = (list, text) => list.every(one => text.split(" ").includes(one));
+    const fits = has(topics, own.topics) && every(kinds, own.kinds) && every(methods, own.methods) && has(levels, own.level)
       && (!only.includes("star") || card.querySelector("[aria-pressed=true]")) && (!only.includes("in") || places(card).length)
       && searched.every(word => own.text.includes(word) || word.length > 5 && own.text.includes(word.slice(0, -2)));
     card.hidden = !fits; count += Boolean(fits);
   }
-  const narrowed = topics.length + kinds.length + levels.length + only.length + searched.length > 0;
+  const narrowed = topics.length + kinds.length + methods.length + levels.length + only.length + searched.length > 0;
   $("clear").hidden = !narrowed; $("empty").hidden = count > 0 || !cards.length; shelf.hidden = !count && cards.length > 0;
   $("searched").textContent = fill(words.searched, { what: filters.q.value || "…" });
+  if (!count && cards.length) suggest(searched);
+}
+// How many letters have to be changed, added or left out to get from one word to another.
+function distance(a, b) {
+  let before = Array.from({ length: b.length + 1 }, (_, i) => i);
+  for (let i = 1; i <= a.length; i++) {
+    const now = [i];
+    for (let j = 1; j <= b.length; j++) now.push(Math.min(before[j] + 1, now[j - 1] + 1, before[j - 1] + (a[i - 1] !== b[j - 1])));
+    before = now;
+  }
+  return before.at(-1);
+}
+// Where nothing fits: the nearest words of the cards, in both languages; for a word that is like none of them the topics.
+function suggest(searched) {
+  const known = new Set(cards.flatMap(card => card.dataset.text.split(/[^a-zа-я]+/)).filter(word => word.length > 3));
+  const strange = searched.find(word => !cards.some(card => card.dataset.text.includes(word))) ?? "";
+  const near = [...known].map(word => [distance(strange, word), word]).filter(([far]) => far <= Math.max(1, Math.floor(strange.length / 3))).sort(([a], [b]) => a - b);
+  const chip = (word, act) => el("li", {}, el("button", { type: "button", className: "chip", onclick: () => { act(); filter(); filters.q.focus(); } }, word));
+  const take = word => () => { filters.q.value = plain(filters.q.value).replace(strange, word); };
+  const topic = name => () => { filters.reset(); all(`input[value=${name}]`, filters)[0].checked = true; };
+  $("nearest").replaceChildren(...strange && near.length ? near.slice(0, 6).map(([, word]) => chip(word, take(word)))
+    : ["linkages", "rolling", "gears", "ropes", "slots", "compound"].map(name => chip(words[name], topic(name))));
 }
 filters.addEventListener("input", filter);
 filters.addEventListener("submit", event => event.preventDefault());
 $("clear").addEventListener("click", () => { filters.reset(); filter(); filters.q.focus(); });
-$("nearest").append(...["linkages", "rolling", "gears", "ropes", "slots", "compound"].map(name => el("li", {}, el("button", { type: "button", className: "chip", onclick: () => { filters.reset(); all(`input[value=${name}]`, filters)[0].checked = true; filter(); } }, words[name]))));
 $("sort").addEventListener("change", () => {
   const by = { catalogue: () => 0, level: card => Number(card.dataset.level), star: card => card.querySelector("[aria-pressed=true]") ? 0 : 1 }[$("sort").value];
   shelf.append(...[...cards].sort((a, b) => by(a) - by(b)));
@@ -99,7 +121,7 @@ shelf.addEventListener("keydown", event => {
   const shown = cards.filter(one => !one.hidden).sort((a, b) => a.compareDocumentPosition(b) & 2 ? 1 : -1), i = shown.indexOf(card);
   const across = Math.max(1, Math.round(shelf.clientWidth / (card.offsetWidth + 16)));
   const step = { ArrowLeft: -1, ArrowRight: 1, ArrowUp: -across, ArrowDown: across }[event.code];
-  const act = { KeyR: again, KeyS: star, Space: event.target.tagName === "A" ? toggle : null }[event.code];
+  const act = { KeyR: single() && again, KeyS: single() && star, Space: event.target.tagName === "A" ? toggle : null }[event.code];
   if (step) shown[Math.min(shown.length - 1, Math.max(0, i + step))].querySelector("a")?.focus();
   else if (act) act(card);
   else return;

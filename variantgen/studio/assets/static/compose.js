@@ -50,6 +50,11 @@ async function remove(number) {
     note(data.undo, undoWord, undo);
   } catch (error) { complain(error); }
 }
+$("empty").addEventListener("click", async event => {
+  const { family: name, form: own } = event.target.closest("button")?.dataset ?? {};
+  if (!name) return;
+  try { await change([{ op: "insert", path: "problem", at: 1, value: own ? { family: name, form: own, points: 10 } : { family: name, points: 10 } }]); await show(1, true); } catch (error) { complain(error); }
+});
 outline.addEventListener("click", event => {
   const row = event.target.closest("li");
   if (event.target.closest("a")) { event.preventDefault(); show(Number(row.dataset.number)); }
@@ -83,8 +88,9 @@ page.addEventListener("change", async event => {
   const field = event.target, path = field.dataset?.path;
   if (!path) return;
   const value = kinds[field.dataset.kind](field), empty = field.type !== "checkbox" && !field.value.trim();
-  field.setAttribute("aria-invalid", String(value === null && !empty));
-  if (value === null && !empty) return note(words.no_number);
+  if (value === null && !empty) return refused(field, words.no_number);
+  if (field.dataset.kind === "percent" && !empty && !(value > 0 && value < 0.2)) return refused(field, words.no_percent);
+  refused(field, "");
   const about = field.labels?.[0]?.textContent.trim() ?? "";
   const whole = path === "tolerance.ceiling" && !source.text.match(/^tolerance\.|^\[tolerance\]/m) && value !== null;
   try {
@@ -92,8 +98,21 @@ page.addEventListener("change", async event => {
     else if (whole) await change([{ op: "set", path: "tolerance", value: { floor: kinds.percent(document.querySelector("[data-path^=tolerance]")) ?? 0.01, ceiling: value } }], about);
     else await change([{ op: "set", path, value }], about);
     if (path.endsWith(".nice") || path.startsWith("tolerance")) show(current);
-  } catch (error) { field.setAttribute("aria-invalid", "true"); complain(error); }
+    field.dataset.was = field.value;
+  } catch (error) { refused(field, error.message); }
 });
+// What is wrong with a field stands below it, with a way back to what the file has.
+const wrongs = new WeakMap();
+function refused(field, text) {
+  wrongs.get(field)?.remove();
+  field.setAttribute("aria-invalid", String(Boolean(text)));
+  if (!text) return;
+  const back = () => { field.value = field.dataset.was ?? field.defaultValue; refused(field, ""); field.focus(); };
+  const told = el("p", { className: "error", role: "alert" }, text, " ", el("button", { type: "button", onclick: back }, words.reset));
+  wrongs.set(field, told);
+  const row = field.closest("li");
+  if (row) row.append(told); else (field.closest("label") ?? field).after(told);
+}
 
 // ---- one problem
 const at = name => `problem[${current}].${name}`;

@@ -13,11 +13,13 @@ async function piece(place, address, signal) {
   if (!answer.ok) { const data = await answer.json().catch(() => null); throw new Error(data?.problems?.map(p => p.message).join("; ") ?? fill(words.failed, { status: answer.status })); }
   const text = await answer.text(), old = document.activeElement, id = place.contains(old) ? old.id : "";
   const typed = id && old.tagName === "INPUT" ? [old.value, old.dataset.was, old.selectionStart, old.selectionEnd] : null;
+  const sent = all("input[data-sent]", place).map(box => [box.id, box.value]);  // on their way: the page may be older
   const at = all(".sheetwork, .people, .beside", place).map(part => part.scrollTop);
   const pages = $("pages"), kept = pages && place.contains(pages) ? [pages.dataset.code, pages.dataset.kind, [...pages.children]] : null;
   place.innerHTML = text;
   place.setAttribute("aria-busy", "false");
   all(".sheetwork, .people, .beside", place).forEach((part, i) => { part.scrollTop = at[i] ?? 0; });
+  for (const [name, value] of sent) { const box = document.getElementById(name); if (box) box.value = box.dataset.was = value; }
   const again = id && document.getElementById(id);
   if (again) { again.focus({ preventScroll: true }); if (typed && typed[0] !== typed[1]) { again.value = typed[0]; again.setSelectionRange?.(typed[2], typed[3]); } }
   if (kept && $("pages")?.dataset.code === kept[0]) { $("pages").dataset.kind = kept[1]; $("pages").replaceChildren(...kept[2]); }
@@ -128,8 +130,9 @@ async function say(row, text) {
 async function commit(box) {
   const text = box.value.trim(), was = box.dataset.was;
   if (text === was) return;
-  box.dataset.was = text;
+  box.dataset.was = text; box.dataset.sent = "yes";
   try { await say(box.closest("[data-answer]"), text); } catch (error) { box.dataset.was = was; complain(error); }
+  delete box.dataset.sent;
 }
 // What is being typed is kept before anything else is shown, and when the window is closed.
 const leave = () => { const box = document.activeElement; return box?.matches("[data-answer] input") ? commit(box) : undefined; };

@@ -1,5 +1,5 @@
 // Play: the position by slider, keys or time; another variant, another mechanism; layers; full screen.
-import { $, all, complain, fill, get, lang, typing } from "./studio.js";
+import { $, all, complain, fill, get, lang, single, typing } from "./studio.js";
 import { Stage } from "./stage.js";
 
 const page = $("play"), words = JSON.parse(page.dataset.words), slider = $("drive"), run = $("run");
@@ -122,8 +122,8 @@ addEventListener("keydown", event => {
   else if (code === "Space" && (target === slider || !target.closest("button, a, summary, select"))) toggle();
   else if (code === "ArrowRight" || code === "ArrowLeft") { stop(); go(position + (code === "ArrowRight" === !falling() ? far : -far)); }
   else if (code === "Home" || code === "End") { stop(); go(number(code === "Home" ? 0 : values.length - 1)); }
-  else if (/^Digit[1-4]$/.test(code) && !event.shiftKey) layer(all("[data-layer]")[Number(code.at(-1)) - 1]);
-  else if (code === "KeyF") full();
+  else if (/^Digit[1-4]$/.test(code) && !event.shiftKey && single()) layer(all("[data-layer]")[Number(code.at(-1)) - 1]);
+  else if (code === "KeyF" && single()) full();
   else return;
   event.preventDefault();
 });

@@ -29,7 +29,7 @@ function ask(what, data) {
     while (version in made) version = made[version];
     try {
       const found = await post(`/${exam}/roster/${what}?lang=${lang}`, { ...data, version, window: own });
-      if (found.version && found.version !== version) made[version] = found.version;
+      if (found.version && found.version !== version) { made[version] = found.version; delete made[found.version]; }  // what is set back has an old one
       return found;
     } catch (error) {
       if (error.status === 409) { await show(); both(table); }

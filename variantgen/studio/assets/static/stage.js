@@ -73,9 +73,9 @@ export class Stage {
   // A plan: all vectors from one pole, the parts of a motion along a moving body one behind the other, the ends of points
   // of one body joined; in each position to a scale that fills it.
   plan(kind, title, label) {
-    const { vectors, edges } = this.data[kind], whole = vectors.filter(one => one.end), parts = vectors.filter(one => one.start), short = KINDS[kind];
+    const { vectors, edges, pole: letter } = this.data[kind], whole = vectors.filter(one => one.end), parts = vectors.filter(one => one.start), short = KINDS[kind];
     const joined = edges.map(() => svg("line")), lines = vectors.map(one => arrow(one.kind || short)), carried = parts.map(() => arrow(short));
-    const ends = whole.map(one => lettered(one.end, "")), pole = svg("circle", { r: 1.5 }), letters = new Letters([-58, -58, 116, 116], 2.4);
+    const ends = whole.map(one => lettered(one.end, "")), pole = svg("circle", { r: 1.5 }), begin = lettered(letter, ""), letters = new Letters([-58, -58, 116, 116], 2.4);
     const arrows = [...vectors.map((one, k) => [lines[k], i => one.start?.[i] ?? [0, 0], i => one.by[i]]), ...parts.map((one, k) => [carried[k], () => [0, 0], i => one.start[i]])];
     this.changes.push(i => {
       const seen = arrows.map(([line, from, by]) => ({ line, from: from(i), by: by(i) })).filter(one => { const yes = Boolean(one.by && one.from); show(one.line, yes); return yes; });
@@ -98,6 +98,8 @@ export class Stage {
         set(joined[k], { x1, y1, x2, y2 });
         letters.avoid([x1, y1, x2, y2]);
       });
+      const from = at([0, 0]), far = Math.hypot(...from) || 1;
+      letters.about(begin, from, from.map(value => value + 8 * value / far));
       whole.forEach((one, k) => {
         const yes = Boolean(one.by[i]) && scale * Math.hypot(...one.by[i]) > 1;
         show(ends[k], yes);
@@ -107,7 +109,7 @@ export class Stage {
     });
     const heading = document.createElement("h2"), made = document.createElement("div");
     heading.textContent = title; made.className = "plan";
-    made.append(heading, svg("svg", { viewBox: "-58 -58 116 116", role: "img", "aria-label": label }, heads(), ...joined, ...carried, ...lines, pole, ...ends));
+    made.append(heading, svg("svg", { viewBox: "-58 -58 116 116", role: "img", "aria-label": label }, heads(), ...joined, ...carried, ...lines, pole, begin, ...ends));
     (this.layers[kind] ??= []).push(made);
     return made;
   }

@@ -189,6 +189,13 @@ on("doc", async data => {
   elsewhere += 1;
   await inTurn(async () => (data.version === state.version ? settled : outside)(await get(`/${exam}/state`)));
 });
+// What stands under the steps follows a build, from its beginning to its end.
+let phase;
+on("build", async data => {
+  if (data.exam !== exam || data.phase === phase) return;
+  phase = data.phase;
+  await inTurn(async () => { const now = await get(`/${exam}/state`); return now.version === state.version ? head(now) : outside(now); }).catch(() => {});
+});
 addEventListener("pagehide", () => source.close());
 addEventListener("pageshow", event => { if (event.persisted) location.reload(); });
 
@@ -198,12 +205,17 @@ all("[data-copy]").forEach(button => button.addEventListener("click", async () =
   note(words.copied, "", null, 2);
 }));
 $("help").addEventListener("click", () => $("keys").showModal());
+// Keys of a single letter or digit can be switched off: who speaks to the computer would press them unawares.
+const SINGLE = "variantgen-single-keys";
+export const single = () => localStorage.getItem(SINGLE) !== "off";
+$("single").checked = single();
+$("single").addEventListener("change", event => localStorage.setItem(SINGLE, event.target.checked ? "on" : "off"));
 export const typing = event => /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName) && event.target.type !== "checkbox" || event.target.isContentEditable;
 addEventListener("keydown", event => {
   if (event.defaultPrevented) return;
   const control = event.ctrlKey || event.metaKey;
   const digit = /^(?:Digit|Numpad)(\d)$/.exec(event.code)?.[1];
-  if (event.key === "F1" || event.key === "?" && !typing(event)) $("keys").showModal();
+  if (event.key === "F1" || event.key === "?" && !typing(event) && single()) $("keys").showModal();
   else if (event.altKey && event.shiftKey && digit) all(".steps a, .tools a")[digit - 1]?.click();
   else if (control && event.code === "KeyZ" && !typing(event)) event.shiftKey ? redo() : undo();
   else if (control && event.code === "KeyS") note(words.already_saved, "", null, 2);

@@ -1,0 +1,82 @@
+"""What makes the figure of a composed mechanism hard to read is seen before anybody draws it."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from variantgen.synthesis.chance import Chance
+from variantgen.synthesis.crowding import crossed, crowded
+from variantgen.synthesis.draft import Datum, Draft
+
+
+def _draft(**places: complex) -> Draft:
+    draft = Draft(Chance("crowding"), z={"O": 0j, **places}, pivots=["O"])
+    draft.data["OA"] = Datum("cm", 40, 2, 6)
+    return draft
+
+
+@pytest.mark.parametrize(
+    ("far", "said"),
+    [
+        (175 + 60j, "CD across the guide of B"),  # 20 cm beside B; the guide is an eighth of 175 cm to either side
+        (290 + 60j, ""),
+    ],
+)
+def test_no_link_lies_across_the_guide_of_a_slider(far: complex, said: str) -> None:
+    draft = _draft(A=40 + 30j, B=140 + 0j, C=far.real - 30 - 60j, D=far)
+    draft.joint("guide", point="B")
+    for start, end in ("OA", "AB", "CD"):
+        draft.bodies[start + end] = [start, end]
+        draft.bars.append((start, end))
+    assert crowded(draft) == said
+
+
+def test_a_rod_ends_at_its_slider_and_does_not_go_on_through_the_guide() -> None:
+    draft = _draft(A=40 + 30j, B=140 + 0j, C=190 - 15j)
+    draft.joint("guide", point="B")
+    draft.bodies |= {"OA": ["O", "A"], "AB": ["A", "C", "B"]}
+    draft.bars += [("O", "A"), ("A", "C")]
+    assert crowded(draft) == "AC across the guide of B"
+
+
+def test_variants_are_seen_on_which_a_link_lies_across_a_guide() -> None:
+    draft = _draft(A=40 + 30j, B=140 + 0j, C=185 - 60j, D=185 + 60j)
+    draft.joint("guide", point="B")
+    for start, end in ("OA", "AB", "CD"):
+        draft.bodies[start + end] = [start, end]
+        draft.bars.append((start, end))
+    places = {name: np.array([z, z]) for name, z in draft.z.items()}
+    places |= {name: np.array([places[name][0], places[name][0] - 25]) for name in "CD"}
+    assert crossed(draft, places).tolist() == [False, True]  # 45 and 20 cm beside B; the guide is 24 cm to either side
+
+
+@pytest.mark.parametrize(("rise", "said"), [(16, "EC along the guide of D"), (40, "")])
+def test_a_rod_to_a_block_is_not_along_the_link_on_which_it_slides(rise: float, said: str) -> None:
+    # D slides on AB; the rod DC goes on to E, so that the bar is drawn from E to C.
+    draft = _draft(A=40 + 0j, B=160 + 0j, D=90 + 0j, C=145 + rise * 1j)
+    draft.z["E"] = draft.z["D"] + 0.7 * (draft.z["D"] - draft.z["C"])
+    draft.bodies |= {"OA": ["O", "A"], "AB": ["A", "B"], "DC": ["E", "C", "D"]}
+    draft.bars += [("A", "B"), ("E", "C")]
+    draft.inside.append(("D", "A", "B"))
+    assert crowded(draft) == said
+
+
+@pytest.mark.parametrize(("size", "said"), [(20, "angles at A and O"), (40, "")])
+def test_arcs_of_neighbouring_angles_have_room(size: float, said: str) -> None:
+    draft = _draft(A=size + 0j, B=size + 120j)
+    draft.marks += [
+        {"name": "phi", "at": "O", "from": "+y", "to": "A"},
+        {"name": "beta", "at": "A", "from": "O", "to": "B"},
+    ]
+    assert crowded(draft) == said
+
+
+def test_variants_are_seen_on_which_a_link_lies_across_a_wheel() -> None:
+    draft = _draft(O1=140 + 0j, C=100 + 60j, D=180 + 60j)
+    draft.data["r"] = Datum("cm", 20, 2, 2)
+    draft.wheels.append(("O1", "r"))
+    draft.bars += [("O", "O1"), ("C", "D")]
+    places = {name: np.array([z, z]) for name, z in draft.z.items()}
+    places |= {name: np.array([places[name][0], places[name][0] - 39j]) for name in "CD"}
+    assert crossed(draft, places).tolist() == [False, True]  # 60 and 21 cm off the centre; the wheel has up to 22 cm

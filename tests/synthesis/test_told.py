@@ -1,0 +1,59 @@
+"""What is asked of a composed family follows from what its sheet tells: no number of the layout alone matters."""
+
+from __future__ import annotations
+
+import re
+from contextlib import suppress
+from pathlib import Path
+
+import pytest
+
+from variantgen.cli.app import main
+from variantgen.families.asking import read_ask
+from variantgen.families.reading.files import FAMILY
+from variantgen.families.reading.load import load_family
+from variantgen.synthesis.chance import Chance
+from variantgen.synthesis.draft import LayoutError
+from variantgen.synthesis.layout import lay_out
+from variantgen.synthesis.structures import parse_code
+from variantgen.variants.variant import Variant, solve_variants
+
+_OWN = re.compile(r"(\d+)\*cm")  # lengths that stand in the file of the family and on no sheet
+
+
+def _answers(folder: Path) -> dict[str, float]:
+    family = load_family(folder)
+    (form,) = family.forms.values()
+    middle = {name: p.printed[len(p.printed) // 2] for name, p in form.parameters.items()}
+    motion = solve_variants([Variant(family, form, middle)], 2)
+    return {quantity.name: float(quantity.value(motion)[0]) for quantity in read_ask(form)}
+
+
+# Two rods, of which one is pinned to a yoke; a rod from a slider to the block in its slot.
+@pytest.mark.parametrize("code", ["RPP10-RRR23", "RPP10-RRR13", "RRP10-RRP23"])
+def test_the_answers_follow_from_the_sheet(code: str, tmp_path: Path) -> None:
+    folder = tmp_path / "made"
+    assert main(["compose", "--structure", code, "--seed", "3", "--out", str(folder)]) == 0
+    text = (folder / FAMILY).read_text("utf-8")
+    found, own = _answers(folder), list(_OWN.finditer(text))
+    assert own
+    for number in own:
+        longer = f"{int(number[1]) + 2}*cm"
+        (folder / FAMILY).write_text(text[: number.start()] + longer + text[number.end() :], "utf-8")
+        assert _answers(folder) == pytest.approx(found, rel=1e-9, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("code", "told"),
+    [
+        ("RPP10-RRR03", False),  # a rod and a link about a fixed axis hang on the yoke: angles say how they lie
+        ("RPP10-RRR03-RRR25", True),  # and two rods lead from that link back to the block in the slot
+    ],
+)
+def test_lengths_say_where_the_end_of_a_yoke_is_where_that_matters(code: str, told: bool) -> None:
+    found = []
+    for seed in range(12):
+        with suppress(LayoutError):
+            found.append(lay_out(parse_code(code), Chance("told", seed)))
+    assert found
+    assert all(({"AC", "CB"} <= draft.data.keys()) is told for draft in found)

@@ -1,0 +1,92 @@
+"""Rows of formulas of a solution in lines: of a column or, where a piece would become too small there, of the page.
+
+The widths of formulas are known before anything is laid out. A row that is longer than the line is broken between its
+formulas, and a formula that is longer before its signs; a piece that is longer is set smaller. Lengths in em of the
+text of solutions (9.5 pt); columns and the page have the widths that ``solution.typ`` gives them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from variantgen.outputs.typst.markup import Piece
+from variantgen.outputs.typst.set_formulas import set_piece
+from variantgen.outputs.typst.widths import formula_width
+
+_EM = 9.5 * 25.4 / 72  # mm
+COLUMN, PAGE = 87.0 / _EM, 180.0 / _EM
+_FIRST, _NEXT = 1.4, 3.8  # indents of a formula and of its further lines
+_LEAST = 0.72  # what would become smaller in a column has the width of the page
+_BETWEEN_PIECES, _BETWEEN_FORMULAS = 0.25, 1.6
+_SIGN, _STOP = 0.778, 0.278  # widths of signs as =, and of marks as ;
+_ROOM = 0.05  # for what is rounded
+_NEARLY = 1.08  # by how much a width that is only estimated may be too small
+_TALL = "display("
+
+Formulas = Sequence[Sequence[tuple[str, Piece]]]  # in pieces that hold together, with the sign before each
+
+
+@dataclass
+class _Line:
+    indent: float
+    scale: float = 1.0
+    items: list[list[Any]] = field(default_factory=list)
+    end: float = 0.0  # from the indent
+    bottom: float = 0.0
+    top: float = 0.0
+
+    def add(self, gap: float, sign: str, piece: Piece, width: float) -> None:
+        """Set a piece after what is there: the space before it, its sign, its markup."""
+        self.items.append([gap if self.items else 0, sign, piece])
+        self.end += width + (gap if len(self.items) > 1 else 0.0)
+        made = set_piece(piece)
+        if made and piece.startswith(_TALL):
+            self.bottom, self.top = min(self.bottom, made.lowest), max(self.top, made.highest)
+
+    def stop(self, mark: str) -> None:
+        """End a formula."""
+        self.items.append([0, mark, ""])
+        self.end += _STOP
+
+    def data(self) -> list[Any]:
+        """Indent, scale, lowest and highest ink of what is taller than a line of text, items."""
+        return [self.indent, round(self.scale, 3), self.bottom, self.top, self.items]
+
+
+def in_lines(row: Formulas, mark: str) -> dict[str, Any]:
+    """A row for the template: whether it is ``wide``, as the page, and its ``lines``; it ends with a mark."""
+    widths = [[_width(sign, piece) for sign, piece in pieces] for pieces in row]
+    wide = any(_LEAST * width > COLUMN for own in widths for width in own)
+    room = (PAGE if wide else COLUMN) - _ROOM
+    lines = [_Line(_FIRST)]
+    whole = sum(map(_whole, widths)) + (len(row) - 1) * (_BETWEEN_FORMULAS + _STOP) + _STOP
+    for i, (pieces, own) in enumerate(zip(row, widths, strict=True)):
+        if whole > room - _FIRST and i and lines[-1].end + _BETWEEN_FORMULAS + _whole(own) + _STOP > room - _FIRST:
+            lines.append(_Line(_FIRST))
+        _set(lines, pieces, own, room)
+        lines[-1].stop(mark if i == len(row) - 1 else ";")
+    return {"wide": wide, "lines": [line.data() for line in lines]}
+
+
+def _set(lines: list[_Line], pieces: Sequence[tuple[str, Piece]], widths: Sequence[float], room: float) -> None:
+    """Set a formula on the last line; where there is no room, it goes on below."""
+    for k, ((sign, piece), width) in enumerate(zip(pieces, widths, strict=True)):
+        gap = _BETWEEN_PIECES if k else _BETWEEN_FORMULAS
+        if k and lines[-1].indent + lines[-1].end + gap + width + _STOP > room:
+            lines.append(_Line(_NEXT))
+        line = lines[-1]
+        if line.indent + width + _STOP > room:  # it is alone on its line
+            line.scale = (room - line.indent) / (width + _STOP)
+        line.add(gap, sign, piece, width)
+
+
+def _whole(widths: Sequence[float]) -> float:
+    return sum(widths) + (len(widths) - 1) * _BETWEEN_PIECES
+
+
+def _width(sign: str, piece: Piece) -> float:
+    made = set_piece(piece)
+    own = made.width if made else _NEARLY * sum(map(formula_width, piece.formulas))
+    return own + (_SIGN + _BETWEEN_PIECES if sign else 0.0)
