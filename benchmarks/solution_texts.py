@@ -1,4 +1,4 @@
-"""How worked solutions read: length, digits, angles, senses, what is computed and not used; all forms, both languages.
+"""How worked solutions read: length, digits, angles, senses, what is not used, figures; all forms, both languages.
 
     python -m benchmarks.solution_texts [--seeds N] [--family NAME ...] [--against PATH]
 
@@ -21,10 +21,15 @@ from pathlib import Path
 from statistics import mean, median
 from typing import Any
 
+from variantgen.algebra.expression import Constant
+from variantgen.algebra.substitution import substituted
+from variantgen.algebra.values import in_order
+from variantgen.exam.solution_figures import LEAST_INDEX, STATEMENT, SolutionFigures, view_order
 from variantgen.families.asking import read_ask
 from variantgen.families.reading import folders, load
 from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
+from variantgen.figure.faults import misread_labels, short_arrows
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import task_of
 from variantgen.variants.draw import draw
@@ -48,9 +53,23 @@ COLUMNS = {
     "nearly": "lines with ≈",
     "axis x": "texts that speak of the x axis, %",
     "coordinates": "checks by the coordinate method, %",
+    "no check": "solutions without a check, %",
     "figures": "figures",
+    "narrow": "of them on paper narrower than half the width of the text, %",
+    "small index": "of them with indices below 7 pt, %",
+    "short arrows": "arrows shorter than twice their heads",
+    "misread": "labels nearer to another arrow than to their own",
 }
-SHARES = {"long": "decimals", "minus": "unknown", "axis x": "", "coordinates": ""}  # of what; "" of the texts
+SHARES = {  # of what; "" of the texts
+    "long": "decimals",
+    "minus": "unknown",
+    "axis x": "",
+    "coordinates": "",
+    "no check": "",
+    "narrow": "figures",
+    "small index": "figures",
+}
+HALF = 85.0  # mm: a column of the page
 _NUMBER = re.compile(r"(?<![\w^,.])\d+(?:[.,]\d+)?")
 _X_AXIS = re.compile(r"\baxis\s+x\b|\bx[\s\N{NO-BREAK SPACE}]axis\b|\bос(?:ь|и|ью)[\s\N{NO-BREAK SPACE}]x\b")
 _COORDINATES = re.compile(r"coordinate\s+method|координатный\s+метод")
@@ -82,7 +101,13 @@ def one(variant: Any, motion: Any, index: int) -> dict[str, dict[str, float]]:
     task = task_of(variant, motion, index, asked)
     found = solution(task)
     counted = of_steps(found, [abs(float(variant.printed[name])) for name in angles_given(variant)])
-    return {name: counted | of_text(written(task, found, load_language(name)), name) for name in LANGUAGES}
+    counts = {}
+    for name in LANGUAGES:
+        language = load_language(name)
+        text = written(task, found, language)
+        figures = SolutionFigures(variant, asked, language, (motion, index), None, text)
+        counts[name] = counted | of_text(text, name) | of_figures(figures, view_order(text))
+    return counts
 
 
 def angles_given(variant: Any) -> list[str]:
@@ -110,7 +135,7 @@ def of_steps(found: Any, given: Sequence[float]) -> dict[str, float]:
         "unknown": len(sought),
         "minus": sum(value.exact < 0 for value in sought.values()),
         "unused": len(unused),
-        "figures": sum(len(step.views) for step in found.steps),
+        "no check": not found.check,
     }
 
 
@@ -142,10 +167,30 @@ def names_in(item: Any) -> set[Any]:
 
 
 def reproduces(value: Any, given: Sequence[float]) -> bool:
-    """Whether an angle is a sum of others that comes to one of those that are given."""
+    """Whether an angle is a sum of others that is one of those given, whatever that one is.
+
+    So is a sum of bare numbers that comes to it, and one that changes as the given angle does and with nothing else:
+    ``180 - (180 - phi)``. By its number alone 90 - phi is phi at 45 degrees, and it has to be worked out.
+    """
     if type(value.expression).__name__ != "Total":
         return False
-    return any(abs(abs(value.exact) - angle) <= _SAME * max(angle, 1.0) for angle in given)
+    if not any(abs(abs(value.exact) - angle) <= _SAME * max(angle, 1.0) for angle in given):
+        return False
+    leaves = [leaf for leaf in in_order([value]) if leaf.expression is None]
+    moved = [(leaf, change) for leaf in leaves if abs(change := _changed(value, leaf) - value.exact) > _SAME]
+    if len(moved) != 1:
+        return not moved
+    (leaf, change), same = moved[0], _SAME * max(abs(value.exact), 1.0)
+    return abs(change - 1.0) <= _SAME and abs(leaf.exact - value.exact) <= same
+
+
+def _changed(value: Any, leaf: Any) -> float:
+    """What a value is where a datum is larger by 1."""
+    table = {leaf: Constant(leaf.exact + 1.0, leaf.measure)}
+    for item in in_order([value]):
+        if item is not leaf and item.expression is not None:
+            table[item] = Constant((substituted(item.expression, table) or Constant(0.0)).number(True), item.measure)
+    return table[value].number(True)
 
 
 def of_text(text: Any, language: str) -> dict[str, float]:
@@ -161,6 +206,20 @@ def of_text(text: Any, language: str) -> dict[str, float]:
         "nearly": plain.count("≈"),
         "axis x": bool(_X_AXIS.search(plain)),
         "coordinates": bool(_COORDINATES.search(plain)),
+    }
+
+
+def of_figures(figures: SolutionFigures, names: Sequence[str]) -> dict[str, float]:
+    """What is counted in the figures of the steps, as large as they are on paper; plans have a scale of their own."""
+    figures.draw(names)
+    shown = [figure for row in figures.rows() for figure in row if figure.name != STATEMENT]
+    drawings = [figure.drawing for figure in shown]
+    return {
+        "figures": len(shown),
+        "narrow": sum(drawing.width * figure.unit < HALF for figure, drawing in zip(shown, drawings, strict=True)),
+        "small index": sum(round(f.index_size, 1) < LEAST_INDEX for f in shown if not f.name.endswith("_plan")),
+        "short arrows": sum(len(short_arrows(drawing)) for drawing in drawings),
+        "misread": sum(len(misread_labels(drawing)) for drawing in drawings),
     }
 
 
@@ -216,11 +275,13 @@ def document(tables: Sequence[Mapping[str, Mapping[str, float]]]) -> list[str]:
     """The tables in Markdown: medians over the forms and means over all, and a line for each form and language."""
     lines = ["| | median of the forms | all texts |", "|---|---|---|"]
     for key, title in COLUMNS.items():
-        medians = [median(shown(row, key) for row in table.values()) for table in tables]
-        lines.append(f"| {title} | {cell(medians)} | {cell([overall(table, key) for table in tables])} |")
+        known = [table for table in tables if key in next(iter(table.values()))]  # older checkouts are not counted
+        medians = [median(shown(row, key) for row in table.values()) for table in known]
+        lines.append(f"| {title} | {cell(medians)} | {cell([overall(table, key) for table in known])} |")
     lines += ["", "| form | " + " | ".join(COLUMNS) + " |", "|---" * (len(COLUMNS) + 1) + "|"]
     for name in tables[-1]:
-        cells = [cell([shown(table[name], key) for table in tables if name in table]) for key in COLUMNS]
+        own = [table[name] for table in tables if name in table]
+        cells = [cell([shown(row, key) for row in own if key in row]) for key in COLUMNS]
         lines.append(f"| {name} | {' | '.join(cells)} |")
     return lines
 

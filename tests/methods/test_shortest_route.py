@@ -9,7 +9,9 @@ from math import cos, radians, sin, sqrt
 
 import pytest
 
+from tests.methods.given_data import worked_book
 from variantgen import explain
+from variantgen.methods.solution.book import resultant
 from variantgen.single import answers, one_variant
 from variantgen.variants.variant import solve_variants
 
@@ -201,3 +203,17 @@ def test_the_given_angle_of_a_guide_is_that_of_all_points_of_a_body_in_translati
     # The guide holds another point of the rod than A; gamma lies between rod and face.
     text, _ = solved("wedge_and_rod", "inclined", "3")
     assert "v_A sin γ = v sin δ" in text
+
+
+@pytest.mark.parametrize(("sense", "way"), [(1, 1), (-1, 1), (1, -1)])
+def test_a_bent_rod_is_taken_by_its_corner(sense: int, way: int) -> None:
+    """OE = 30 and EM = 40 are square: the vectors of E and those about E lie along the slot and across it."""
+    data = {"OE": 30, "EM": 40, "omega_OEB": 2, "epsilon_OEB": 5, "v_rel_M": 35, "a_rel_M": 20}
+    book = worked_book("sliding_block_on_rotating_rod", "offset", "v_M a_M", **data, sense=sense, way=way)
+    assert not [name for name in book.values if {name.of, name.about} == {"M", "O"}]  # no distance MO
+    e, m, slot = 30j, 30j + 40, 1.0  # E above O, the slot to the right
+    turn, slide, faster = 2j * sense, 35.0 * way, 20.0
+    assert abs(resultant(book.velocity["M"])) == pytest.approx(abs(turn * m + slide * slot))
+    whole = (5j - 4) * m + 2 * turn * slide + faster * slot
+    assert abs(resultant(book.acceleration["M"])) == pytest.approx(abs(whole))
+    assert abs(resultant(book.velocity["E"])) == pytest.approx(abs(turn * e))

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import cos, radians, sqrt
+from math import asin, cos, radians, sin, sqrt
 
 import pytest
 
+from tests.methods.given_data import worked_book
 from tests.solved_cases import case_of, task
 from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
@@ -185,11 +186,33 @@ def test_a_body_whose_pole_stands_still_is_at_rest() -> None:
 @pytest.mark.parametrize("off", [1e-2, 1e-4, 1e-6])
 def test_a_centre_far_away_costs_no_more_digits_than_it_is_far(off: float) -> None:
     book = book_of("slider_crank_with_second_rod", "M28", ("v_B", "omega_AB"), phi=radians(90 + off))
+    book = Book(book.task, style=replace(STYLE, strict=True))  # else a vector equation takes its place
     solve_groups.velocities(book)
     far = arm(book, "AB", "A") / book.task.size
     assert far > 0.3 / radians(off) / 10
     assert deviation(book) < 1e-9
     assert book.omega["AB"].size.exact == pytest.approx(abs(book.exact_rate("AB")), rel=1e-15 * far + 1e-12)
+
+
+@pytest.mark.parametrize(("phi", "remote"), [(60, False), (70, False), (78, True), (85, True)])
+def test_a_remote_centre_is_not_looked_for_unless_it_is_wished(phi: float, remote: bool) -> None:
+    """With OA = 10 and AB = 30 AP is ``AB cos(psi) / cos(phi)``, some 4.5 AB at 78 degrees and 2.8 AB at 70."""
+    data = {"OA": 10, "AB": 30, "phi": phi, "omega_OA": 2}
+    psi = asin(sin(radians(phi)) / 3)
+    assert (cos(psi) / cos(radians(phi)) > 4) == remote
+    book = worked_book("slider_crank", "central", "v_B omega_AB", **data)
+    assert (("P", "AB") in book.centres) != remote
+    assert speed(book, "B") == pytest.approx(20 * sin(radians(phi) + psi) / cos(psi))
+    assert book.omega["AB"].size.exact == pytest.approx(20 * cos(radians(phi)) / (30 * cos(psi)))
+    assert ("pole.choose_v" in keys(book)) == remote
+
+
+def test_where_only_the_velocity_is_asked_the_projections_give_it() -> None:
+    book = worked_book("slider_crank", "central", "v_B", OA=10, AB=30, phi=60, omega_OA=2)
+    assert "projections.theorem" in keys(book)
+    assert not book.centres
+    psi = asin(sin(radians(60)) / 3)
+    assert speed(book, "B") == pytest.approx(20 * sin(radians(60) + psi) / cos(psi))
 
 
 def test_by_one_velocity_and_the_rate() -> None:

@@ -9,10 +9,12 @@ from variantgen.algebra.expression import Value
 from variantgen.errors import InputError
 from variantgen.families.quantities import Quantity
 from variantgen.methods.agreement import confirm, confirm_answers
+from variantgen.methods.carrier_frame import from_the_arm
 from variantgen.methods.choice import WHOLE, choose
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.magnitudes import magnitudes
 from variantgen.methods.natural_answers import by_choice, found_by, method_names, work_out
+from variantgen.methods.other_axes import other_axes
 from variantgen.methods.other_base_point import other_base_point
 from variantgen.methods.result_check import by_links, equal_projections, third_axis
 from variantgen.methods.solution.book import Book
@@ -56,7 +58,8 @@ def _by_groups(book: Book, found: dict[str, Value]) -> Solution:
     check = tuple(third_axis(steps) or other_base_point(book, steps))
     # Only what answers need is compared: the check of velocities works out no angular velocity of its own.
     check = check or tuple(base_point_of_velocities(book, used_lines(steps, found.values())))
-    check = check or tuple(equal_projections(book) or magnitudes(book, steps))
+    check = check or tuple(equal_projections(book) or other_axes(book, steps) or from_the_arm(book, steps))
+    check = check or tuple(magnitudes(book, steps))
     results = [*found.values(), *items_values(check)]
     steps = used_lines(steps, results)
     steps = with_position(task, book.geometry.items, steps, results)

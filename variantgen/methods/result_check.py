@@ -31,10 +31,12 @@ from variantgen.methods.steps.step import (
     VectorOf,
     Word,
 )
+from variantgen.methods.vectors.natural_sum import signed
 from variantgen.methods.vectors.points import RIGHT, UP, sum_of
 from variantgen.methods.vectors.vector_equation import share_of, shares, unknowns
 
 _AXES = {"right": RIGHT, "up": UP}
+_OPPOSITE = {"right": "left", "up": "down"}
 _UNKNOWNS = 2  # vectors that an equation determines
 _EQUATED = ("projections.theorem", "coupled.equal")  # sentences that make projections on a segment equal
 _RIGHT_ANGLE = 90.0  # degrees
@@ -68,16 +70,19 @@ def are_equated(book: Book, first: str, second: str) -> bool:
 def third_axis(steps: Sequence[Step]) -> list[Item]:
     """The last vector equation with two unknown vectors, on an axis on which it has not been projected: both sides.
 
-    Nothing where there is none of which both unknown vectors were found, or only the axes that were used fit.
+    The axis is horizontal or vertical, or along one of the known vectors where neither is a third one. Nothing where
+    there is no equation of which both unknown vectors were found, or only the axes that were used fit.
     """
     for step in reversed(steps):
         values = {item.value.name: item.value for item in step.items if isinstance(item, Derived)}
         for line in (item for item in step.items if isinstance(item, VectorLine)):
             free = unknowns((*line.left, *line.right))
             if len(free) == _UNKNOWNS and all(term.name in values and values[term.name].exact > 0 for term in free):
-                axis = max(_AXES.values(), key=lambda axis: _least_share(free, axis))
-                if _least_share(free, axis) > _SEEN:
-                    return _balance(line, values, axis)
+                along = [term.angle for term in (*line.left, *line.right) if term.size is not None]
+                for axes in (list(_AXES.values()), along):
+                    axis = max(axes, key=lambda axis: _least_share(free, axis), default=None)
+                    if axis is not None and _least_share(free, axis) > _SEEN:
+                        return _balance(line, values, axis)
     return []
 
 
@@ -92,14 +97,18 @@ def _balance(line: VectorLine, values: Mapping[Name | None, Value], axis: Value)
     for terms in (line.left, line.right):
         known = [replace(term, size=values[term.name]) if term.size is None else term for term in terms]
         sides.append(list(shares(known, axis)))
-    word = next(word for word, own in _AXES.items() if own is axis)
-    if sum_of(sides[0]).number(True) < 0:
-        word = {"right": "left", "up": "down"}[word]
+    if reverse := sum_of(sides[0]).number(True) < 0:
         sides = [[replace(share, sign=-share.sign) for share in side] for side in sides]
     scale = max(value.exact for value in values.values() if value.measure in ("acceleration", "velocity"))
     found = [worked_out(side, scale) for side in sides]
     first, second = (VectorOf(term.name) for term in unknowns((*line.left, *line.right)))
-    facts: dict[str, Fact] = {"side": Word(word), "first": first, "second": second}
+    facts: dict[str, Fact] = {"first": first, "second": second}
+    word = next((word for word, own in _AXES.items() if own is axis), "")
+    if not word:
+        along = next(term for term in (*line.left, *line.right) if term.angle is axis)
+        key = "check.third_axis_against" if reverse else "check.third_axis_along"
+        return [Sentence(key, {**facts, "vector": VectorOf(along.name)}, detail=False), Balance(*found)]
+    facts["side"] = Word(_OPPOSITE[word] if reverse else word)
     return [Sentence("check.third_axis", facts, detail=False), Balance(*found)]
 
 
@@ -108,14 +117,22 @@ def worked_out(projections: Sequence[Share], scale: float, table: Mapping[Value,
 
     In place of a value in the ``table`` the arithmetic stands that gives it.
     """
-    written = [_by_number(share) for share in projections]
-    table = dict(table or {}) | {
-        share.angle: share.angle.expression
-        for share in written
-        if _is_sum(share.angle) and share.angle.expression is not None
-    }
-    whole = substituted(sum_of(written), table) or Constant(0.0)
+    whole = sum_of([_by_number(share) for share in projections])
+    whole = substituted(whole, {**(table or {}), **_spelled(projections)}) or Constant(0.0)
     return Value(None, "number", whole.number(True), whole, scale)
+
+
+def projected(projections: Sequence[Share]) -> list[tuple[int, Expression]]:
+    """Projections of known vectors with their signs, written like that."""
+    table = _spelled(projections)
+    parts = signed([_by_number(share) for share in projections])
+    return [(sign, substituted(part, table) or Constant(0.0)) for sign, part in parts]
+
+
+def _spelled(projections: Sequence[Share]) -> dict[Value, Expression]:
+    """What stands in place of angles that are short sums."""
+    angles = [angle for share in projections if _is_sum(angle := _by_number(share).angle)]
+    return {angle: angle.expression for angle in angles if angle.expression is not None}
 
 
 def _by_number(share: Share) -> Share:

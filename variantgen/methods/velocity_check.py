@@ -7,7 +7,7 @@ Projections on AB itself do not check a centre of which AP and BP were found by 
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from itertools import combinations
 
 from variantgen.algebra.expression import Constant, Expression, Value
@@ -43,15 +43,17 @@ def base_point_of_velocities(book: Book, steps: Sequence[Step]) -> list[Item]:
 
     Fit is a body with a centre P whose angular velocity stands in the solution, with two points of it at a known
     distance, none of which was the base point of the other. The axis is along one of the three vectors, the first on
-    which every number that was worked out for the centre is seen when it is wrong.
+    which every number that was worked out for the centre is seen when it is wrong, or else one on which some are.
     """
     shown = {item.value.name for step in steps for item in step.items if isinstance(item, Derived)}
-    for body, members in book.task.scene.bodies.items():
-        rate = book.omega.get(body)
-        if ("P", body) in book.centres and rate is not None and rate.sense and _is_seen(rate.size, shown):
-            for pole, point in combinations(members, 2):
-                if _is_fit(book, pole, point, shown) and (items := _compared(book, body, pole, point, shown)):
-                    return items
+    for enough in (all, any):
+        for body, members in book.task.scene.bodies.items():
+            rate = book.omega.get(body)
+            if ("P", body) in book.centres and rate is not None and rate.sense and _is_seen(rate.size, shown):
+                for pole, point in combinations(members, 2):
+                    fit = _is_fit(book, pole, point, shown)
+                    if fit and (items := _compared(book, body, pole, point, shown, enough)):
+                        return items
     return []
 
 
@@ -81,8 +83,15 @@ def _about(book: Book, body: str, pole: str, point: str) -> tuple[Term, Expressi
     return Term(Name("v", point, pole), value, angle, Sentence("")), size
 
 
-def _compared(book: Book, body: str, pole: str, point: str, shown: Collection[Name | None]) -> list[Item]:
-    """The sentence and both sides on the first axis on which the check can fail."""
+def _compared(
+    book: Book,
+    body: str,
+    pole: str,
+    point: str,
+    shown: Collection[Name | None],
+    enough: Callable[[Iterable[bool]], bool],
+) -> list[Item]:
+    """The sentence and both sides on the first axis on which the check can fail: where ``enough`` numbers are seen."""
     about, size = _about(book, body, pole, point)
     whole, other = book.velocity[point][0], book.velocity[pole][0]
     for axis in (about, whole, other):
@@ -94,7 +103,7 @@ def _compared(book: Book, body: str, pole: str, point: str, shown: Collection[Na
             continue
         if sides[0].exact < 0:
             continue
-        if not all(_shows(sides, value) for value in _of_centre(in_order(sides), body, shown)):
+        if not enough(_shows(sides, value) for value in _of_centre(in_order(sides), body, shown)):
             continue
         facts: dict[str, Fact] = {"pole": Point(pole), "vector": VectorOf(axis.name), "segment": Segment(pole, point)}
         key = "across" if axis is about else "along"

@@ -6,21 +6,25 @@ import math
 
 from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
+from variantgen.methods.centres import projections
 from variantgen.methods.centres.centre import ray_to_centre
 from variantgen.methods.centres.known_centre import centre_of, is_near_centre, sense_about
 from variantgen.methods.centres.perpendiculars import meet
 from variantgen.methods.geometry.geometry import Geometry, between
 from variantgen.methods.groups.group import Dyad
-from variantgen.methods.groups.wanted import leads_on
+from variantgen.methods.groups.wanted import is_rate_wanted, leads_on
 from variantgen.methods.solution.book import Book, Rate, resultant
 from variantgen.methods.solution.rays import Centre
 from variantgen.methods.steps.step import Body, Fact, Point, Term, VectorOf
 from variantgen.methods.vectors.point_paths import on_path
 from variantgen.methods.vectors.points import carry_by_sum, known_point, positive, renamed, vector
+from variantgen.methods.vectors.pole import solve_dyad as solve_by_equation
 from variantgen.methods.vectors.turning_speed import is_same, turning_speed
 from variantgen.methods.vectors.whole_vector import whole
 
 _SQUARE = 1e-9  # cosine of an angle that is a right one, but for rounding
+_FAR = 4.0  # of the distance AB: of a centre beyond that the triangle ABP is a thin one, with some 14 degrees at P
+_TRANSLATION = 1e-9  # of the largest velocity: a body that turns less is in translation
 
 
 def applies(book: Book, group: Dyad) -> bool:
@@ -38,13 +42,32 @@ def _are_square(first: complex, second: complex) -> bool:
 
 
 def solve_dyad(book: Book, group: Dyad) -> None:
-    """Find the velocity of the point on its path and the angular velocity of the body."""
+    """Find the velocity of the point on its path and the angular velocity of the body.
+
+    Unless the centre is wished, the velocities are projected on AB where it would serve the velocity of B alone, which
+    is one line, and a vector equation takes its place where it is remote: no thin triangle, no long way off the page.
+    """
     body, pole, point = group.body, group.pole, group.point_path.point
     vector(book, pole)
+    if book.style.is_free and not is_rate_wanted(book.task, 1, body, {point, pole}):
+        if projections.applies(book, group):
+            projections.solve_dyad(book, group)
+            return
+    elif book.style.is_free and _is_remote(book, group):
+        solve_by_equation(book, group)
+        return
     with book.step("velocity_centre.link", "velocity_centre", body=Body(body), point=Point(point)):
         _, path = on_path(book, group.point_path)
         if find(book, group, path) is not None:
             _enter_speed(book, body, point, path)
+
+
+def _is_remote(book: Book, group: Dyad) -> bool:
+    """Whether the body turns, but about a centre that is far from its points A and B."""
+    now, pole, point = book.task.now, group.pole, group.point_path.point
+    turning = abs(book.exact_rate(group.body) * (now.z[point] - now.z[pole]))
+    fastest = max(abs(now.v[pole]), abs(now.v[point]))
+    return _TRANSLATION * fastest < turning < fastest / _FAR
 
 
 def find(book: Book, group: Dyad, path: Term) -> Rate | None:

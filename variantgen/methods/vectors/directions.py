@@ -19,10 +19,15 @@ _SIDED = ("ways.guide", "ways.straight", "ways.track", "ways.path", "ways.groove
 
 
 def pointed(book: Book, term: Term) -> Term:
-    """A term of a table with its line and, where the line alone leaves two, the side to which it points."""
+    """A term of a table with its line and, where the line alone leaves two, the side to which it points.
+
+    To the right, up, left or down on a straight path the side alone says all.
+    """
     side = side_of(book, term)
     if side is None:
         return term
+    if term.way.key == "ways.straight" and isinstance(side, Word) and side.key in QUARTERS:
+        return Term(term.name, term.size, term.angle, Sentence("ways.side", {"side": side}))
     return Term(term.name, term.size, term.angle, Sentence("ways.pointed", {"way": term.way, "side": side}))
 
 

@@ -9,7 +9,7 @@ vector is that of the point of the body below the sliding one.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
@@ -21,6 +21,7 @@ from variantgen.methods.groups.wanted import is_last_sought, is_rate_wanted, lea
 from variantgen.methods.solution.book import Book, Known
 from variantgen.methods.steps.step import Body, Fact, Point, Segment, Term, VectorOf
 from variantgen.methods.vectors import constant_distance
+from variantgen.methods.vectors.carrier_points import about_corner, seen
 from variantgen.methods.vectors.coriolis import coriolis_of, say_uniform, say_unneeded
 from variantgen.methods.vectors.given_motion import amount, as_stated
 from variantgen.methods.vectors.point_paths import directed, on_path
@@ -54,7 +55,7 @@ class _Sides:
 
 def solve_sliding_pair(book: Book, group: SlidingPair) -> None:
     """Find what the sliding of a point tells: rates, the vector of the point or of the carrier, the relative motion."""
-    group = _seen(book, group)
+    group = about_corner(book, seen(book, group))
     if constant_distance.is_rod(book, group):
         constant_distance.solve_rod(book, group)
         return
@@ -76,17 +77,6 @@ def solve_sliding_pair(book: Book, group: SlidingPair) -> None:
             sides.turn_to(pointing(sides.left, sides.right))
         write(book, sides.left, sides.right, start)
         _solve(book, group, sides)
-
-
-def _seen(book: Book, group: SlidingPair) -> SlidingPair:
-    """The group with the path of a point that the figure names: all points of a translating carrier are alike."""
-    point_path, hidden = group.carrier_path, book.task.form.figure.hidden
-    if point_path is None or point_path.point not in hidden:
-        return group
-    if not (point_path.straight and is_translating(book, group.carrier)):
-        return group
-    shown = (name for name in book.task.scene.bodies[group.carrier] if name not in hidden)
-    return replace(group, carrier_path=replace(point_path, point=next(shown, point_path.point)))
 
 
 def _say_law(book: Book, group: SlidingPair, facts: dict[str, Fact]) -> None:

@@ -63,6 +63,7 @@ def _enter_two(
     key = "by_rest" if still is not None else "by_two"
     facts: dict[str, Fact] = {"body": Body(group.body), "first": names[0], "second": names[1]}
     ways = [Word(on_paper(degrees(sides[0].line * (sign or 1)))) for sign, _ in parts]
+    key += "_alike" if key == "by_two" and ways[0] == ways[1] else ""
     facts |= {"first_way": ways[0], "second_way": ways[1], "segment": Segment(sides[0].name, sides[1].name)}
     contact = letter_of(book, still or sides[1], still is not None)
     facts |= {"contact": contact, "centre": Point(group.point)}
