@@ -5,9 +5,11 @@ The constants are those of the OpenType math table of New Computer Modern Math. 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from variantgen.figure.glyphs import Glyph, glyph, has_glyph, kerning
+from variantgen.wording.formula import GREEK, Index, letters
 
 _INDEX_DOWN, _POWER_UP, _POWER_UP_CRAMPED, _LEAST_GAP, _AFTER = 0.247, 0.363, 0.289, 0.16, 0.056
 _POWER_DROP = 0.25  # how much lower the baseline of a power is than the top of parentheses
@@ -68,7 +70,7 @@ class Run:
         tops = [p.at.imag + p.glyph.top for p in self.glyphs] + [b.at.imag + THICKNESS / 2 for b in self.bars]
         return max([*tops, self._highest] if self._highest else tops, default=0.0)
 
-    def reach(self, top: float) -> None:
+    def take_room(self, top: float) -> None:
         """Take room up to a height."""
         self._highest = max(self._highest, top)
 
@@ -77,7 +79,7 @@ class Run:
         self.glyphs += [PlacedGlyph(p.glyph, p.at + at) for p in other.glyphs]
         self.bars += [Bar(b.at + at, b.width) for b in other.bars]
         if other._highest:
-            self.reach(other._highest + at.imag)
+            self.take_room(other._highest + at.imag)
 
     def append(self, other: Run) -> None:
         """Set another run after the letters so far."""
@@ -138,3 +140,46 @@ def _upright(letter: str, level: int) -> Glyph:
     """A letter of a word: not cut for its size, but made smaller."""
     name = f"0u{letter}"
     return glyph(name if has_glyph(name) else _UNKNOWN, SCALE[level])
+
+
+def set_name(run: Run, name: str, level: int) -> None:
+    """Set letters of points with their numbers, a Greek letter, or digits."""
+    if name in GREEK:
+        run.add(GREEK[name], level)
+    elif name.isdecimal():
+        for digit in name:
+            run.add(digit, level)
+    else:
+        for letter, number in letters(name):
+            if letter == "′":
+                run.attach(Run(), _prime(level + 1), level)
+                continue
+            run.add(letter, level)
+            if number:
+                run.attach(digits(number, level + 1), Run(), level)
+
+
+def _prime(level: int) -> Run:
+    run = Run()
+    run.add("′", min(level, 2))
+    return run
+
+
+def digits(number: str, level: int) -> Run:
+    """The digits of a number in a row of their own."""
+    run = Run()
+    set_name(run, number, min(level, 2))
+    return run
+
+
+def script(parts: Sequence[Index], level: int) -> Run:
+    """What stands below or above a letter in a row of its own: letters of points and words."""
+    run = Run()
+    for i, part in enumerate(parts):
+        if i and (part.upright or parts[i - 1].upright):
+            run.x += WORD_SPACE * SCALE[level]
+        if part.upright:
+            run.words(part.text, level)
+        else:
+            set_name(run, part.text, level)
+    return run

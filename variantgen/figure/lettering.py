@@ -13,17 +13,15 @@ from functools import lru_cache
 
 from variantgen.figure.drawing import LETTER, Label
 from variantgen.figure.glyphs import Glyph
-from variantgen.figure.letter_run import SCALE, WORD_SPACE, Bar, PlacedGlyph, Run
+from variantgen.figure.letter_run import Bar, PlacedGlyph, Run, digits, script, set_name
 from variantgen.figure.tall_letters import enclosed, fraction, root
 from variantgen.wording.formula import (
-    GREEK,
     Absolute,
     Equation,
     Formula,
     FormulaList,
     Fraction,
     Function,
-    Index,
     Measured,
     Number,
     Parenthesised,
@@ -37,7 +35,6 @@ from variantgen.wording.formula import (
     SymbolProperty,
     UnitText,
     Vector,
-    letters,
     precedence,
 )
 from variantgen.wording.formula.precedence import Between
@@ -147,20 +144,20 @@ def _set_tall(run: Run, formula: Formula) -> None:
 
 def _set_symbol(run: Run, symbol: Symbol, exponent: str = "", arrow: bool = False) -> None:
     """A letter with its indices, an arrow above it, and an exponent: that of a letter in parentheses is theirs."""
-    above = _digits(exponent, 1) if exponent else Run()
+    above = digits(exponent, 1) if exponent else Run()
     if symbol.part:
         run.add("(", 0)
     if symbol.base.startswith(ANGLE):
         run.add("∠", 0)
     if arrow:
         run.mark(run.x + ARROWS[symbol.base])
-    _set_name(run, symbol.base.removeprefix(ANGLE), 0)
-    upper = _script(symbol.upper, 1) if symbol.upper or symbol.part else above
+    set_name(run, symbol.base.removeprefix(ANGLE), 0)
+    upper = script(symbol.upper, 1) if symbol.upper or symbol.part else above
     if symbol.index or upper.glyphs:
-        run.attach(_script(symbol.index, 1), upper, 0)
+        run.attach(script(symbol.index, 1), upper, 0)
     if symbol.part:
         run.add(")", 0)
-        run.attach(_script(symbol.part, 1), above, 0)
+        run.attach(script(symbol.part, 1), above, 0)
 
 
 def _set_sum(run: Run, terms: Sequence[tuple[int, Formula]]) -> None:
@@ -212,7 +209,7 @@ def _set_power(run: Run, base: Formula, exponent: str) -> None:
     match base:
         case Function(name, argument):  # cos² φ
             run.words(name)
-            run.attach(Run(), _digits(exponent, 1), 0)
+            run.attach(Run(), digits(exponent, 1), 0)
             _set_argument(run, argument)
         case Symbol() if not precedence.as_base(base, False):
             _set_symbol(run, base, exponent)
@@ -223,7 +220,7 @@ def _set_power(run: Run, base: Formula, exponent: str) -> None:
             fenced = precedence.as_base(base, False) or isinstance(base, Parenthesised)
             _set_part(whole, base, precedence.as_base(base, False))
             run.append(whole)
-            run.attach(Run(), _digits(exponent, 1), 0, whole.top if fenced or whole.bars else 0.0)
+            run.attach(Run(), digits(exponent, 1), 0, whole.top if fenced or whole.bars else 0.0)
 
 
 def _set_argument(run: Run, argument: Formula) -> None:
@@ -266,44 +263,3 @@ def _set_about(run: Run, what: str, symbol: Symbol) -> None:
             run.words("sgn")
             run.x += _THIN
             _set(run, symbol)
-
-
-def _set_name(run: Run, name: str, level: int) -> None:
-    """Letters of points with their numbers, a Greek letter, or digits."""
-    if name in GREEK:
-        run.add(GREEK[name], level)
-    elif name.isdecimal():
-        for digit in name:
-            run.add(digit, level)
-    else:
-        for letter, number in letters(name):
-            if letter == "′":
-                run.attach(Run(), _prime(level + 1), level)
-                continue
-            run.add(letter, level)
-            if number:
-                run.attach(_digits(number, level + 1), Run(), level)
-
-
-def _prime(level: int) -> Run:
-    run = Run()
-    run.add("′", min(level, 2))
-    return run
-
-
-def _digits(number: str, level: int) -> Run:
-    run = Run()
-    _set_name(run, number, min(level, 2))
-    return run
-
-
-def _script(parts: Sequence[Index], level: int) -> Run:
-    run = Run()
-    for i, part in enumerate(parts):
-        if i and (part.upright or parts[i - 1].upright):
-            run.x += WORD_SPACE * SCALE[level]
-        if part.upright:
-            run.words(part.text, level)
-        else:
-            _set_name(run, part.text, level)
-    return run

@@ -43,7 +43,7 @@ def root(radicand: Run) -> Run:
     made.glyphs.append(PlacedGlyph(sign, complex(0.0, top - sign.top)))
     made.bars.append(Bar(complex(sign.width, top - THICKNESS / 2), radicand.x))
     made.put(radicand, complex(sign.width, 0.0))
-    made.reach(top + _ROOT_ABOVE)
+    made.take_room(top + _ROOT_ABOVE)
     made.x = sign.width + radicand.x
     return made
 

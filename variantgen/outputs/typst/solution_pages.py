@@ -49,14 +49,14 @@ class Block:
 
 
 @dataclass(frozen=True)
-class Problem:
+class ProblemBlocks:
     """The heights of its headings (below something else, at the head of a page), its units, the statement's figure."""
 
     headings: tuple[float, float]
     units: tuple[Block, ...]
     beside: Block
 
-    def closer(self, part: float) -> Problem:
+    def closer(self, part: float) -> ProblemBlocks:
         """With smaller figures, but for that of the statement."""
         units = (replace(u, figures=tuple(f.smaller(part) for f in u.figures)) for u in self.units)
         return replace(self, units=tuple(units))
@@ -117,7 +117,7 @@ class _Pages:
         self.y, self.below = top + found.high, _ABOUT_COLUMNS
 
 
-def contents_of(found: Mapping[str, Any]) -> tuple[float, list[Problem]]:
+def contents_of(found: Mapping[str, Any]) -> tuple[float, list[ProblemBlocks]]:
     """The height of the head and the problems, from what ``solution_heights.typ`` has measured."""
     heights = iter(found["heights"])
     head = next(heights)
@@ -135,7 +135,7 @@ def contents_of(found: Mapping[str, Any]) -> tuple[float, list[Problem]]:
             Block("unit", number, high, above, below, wide, tuple(figures[own] for own in shown))
             for number, ((above, below, wide, shown), high) in enumerate(units)
         )
-        problems.append(Problem(headings, blocks, figures[0]))
+        problems.append(ProblemBlocks(headings, blocks, figures[0]))
     return head, problems
 
 
@@ -146,7 +146,7 @@ def _figure(number: int, sizes: Sequence[float], caption: float) -> Block:
     return Block("figure", number, high, _ABOUT_FIGURE, _ABOUT_FIGURE, unit=unit, least=least, drawn=drawn)
 
 
-def pages_of(head: float, problems: Sequence[Problem], room: float = TEXT_HEIGHT) -> dict[str, Any]:
+def pages_of(head: float, problems: Sequence[ProblemBlocks], room: float = TEXT_HEIGHT) -> dict[str, Any]:
     """The pages for the template: what stands on each, and how high it is on the last one."""
     found = _laid(head, problems, room)
     if len(found.pages) > 1 and found.y < _LITTLE * room:
@@ -158,7 +158,7 @@ def pages_of(head: float, problems: Sequence[Problem], room: float = TEXT_HEIGHT
     return {"pages": found.pages, "high": found.y}
 
 
-def _laid(head: float, problems: Sequence[Problem], room: float) -> _Pages:
+def _laid(head: float, problems: Sequence[ProblemBlocks], room: float) -> _Pages:
     """The problems on pages, the head above them. No statement stands alone at the foot of a page."""
     found = _Pages(room)
     if head:
@@ -168,7 +168,7 @@ def _laid(head: float, problems: Sequence[Problem], room: float) -> _Pages:
     return found
 
 
-def _lay(pages: _Pages, number: int, problem: Problem) -> None:
+def _lay(pages: _Pages, number: int, problem: ProblemBlocks) -> None:
     units: Sequence[Block] = problem.units
     first, second = units[:2]
     after = _LEAST_COLUMNS if first.wide or second.wide else second.above + second.high
@@ -265,6 +265,6 @@ def _column(units: Sequence[Block], waiting: Sequence[Block], room: float, force
     return _Column(items, y, units[taken:], left)
 
 
-def is_too_high(problems: Sequence[Problem], room: float = TEXT_HEIGHT) -> bool:
+def is_too_high(problems: Sequence[ProblemBlocks], room: float = TEXT_HEIGHT) -> bool:
     """Whether a unit is higher than a page."""
     return any(block.high > room for problem in problems for block in problem.units)

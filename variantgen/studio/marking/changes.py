@@ -23,7 +23,8 @@ from variantgen.studio.documents.document import ChangedSinceError
 from variantgen.studio.frame import command
 from variantgen.studio.marking.folder import POLICY, RESULT, REVIEW, TYPED, Asked, MarkingFolder
 from variantgen.studio.marking.marked import MarkedBuild, MarkedClass
-from variantgen.studio.marking.views import MarkWords, effect, policy_fields, with_fields
+from variantgen.studio.marking.policy_fields import policy_fields, with_fields
+from variantgen.studio.marking.views import MarkWords, effect
 from variantgen.studio.requests import number_of, text_of
 from variantgen.studio.studio import Studio, UnknownKeyError
 

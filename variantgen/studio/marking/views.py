@@ -5,15 +5,12 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
-from decimal import Decimal
 from fractions import Fraction
 from statistics import median
 from typing import Any
 
 from markupsafe import Markup
 
-from variantgen.exam.marking_policy import CAUSES, MarkingPolicy
 from variantgen.exam.student_order import in_order
 from variantgen.marking.class_statistics import class_facts
 from variantgen.marking.diagnosis.causes import OTHER, Cause
@@ -21,12 +18,12 @@ from variantgen.marking.marks import Marked, MarkedAnswer, StudentTotal, Verdict
 from variantgen.marking.words import cause_in_words
 from variantgen.studio.marking.doubts import bubbles, outlines, points_between, readings
 from variantgen.studio.marking.marked import MarkedClass
+from variantgen.studio.marking.policy_fields import policy_fields
 from variantgen.studio.messages import in_language
 from variantgen.wording.language import Language, load_language
 from variantgen.wording.mathml import to_mathml
 
 VERDICTS = ("right", "follow_through", "wrong", "blank", "unreadable")
-RULES = ("sign", "power_of_ten", "unit", "rounding", "component", "mistake", "other_answer")  # shares that are shown
 _LISTED = 300
 _BANDS = 10
 _PLACE = re.compile(r", (?:worksheet .{1,31}, )?(?:row|page) \d+")
@@ -263,26 +260,6 @@ def _parts(found: MarkedClass, problem: int) -> list[dict[str, Any]]:
         parts.append({"kind": kind, "x": round(start, 2), "w": round(length, 2), "count": counts[kind]})
         start += length
     return parts
-
-
-def policy_fields(policy: MarkingPolicy) -> dict[str, str]:
-    """The rules as the fields of the page have them: percents, steps."""
-    fields = {"tolerance": f"{policy.tolerance:f}", "follow_through": f"{(100 * policy.follow_through).normalize():f}"}
-    fields |= {cause: f"{(100 * policy.shares.get(cause, Decimal(0))).normalize():f}" for cause in RULES}
-    return {**fields, "problem_step": f"{policy.problem_step:f}", "total_step": f"{policy.total_step:f}"}
-
-
-def with_fields(policy: MarkingPolicy, fields: Mapping[str, Decimal]) -> MarkingPolicy:
-    """Rules with what the fields say; what they do not have stays."""
-    shares = {**policy.shares, **{cause: fields[cause] / 100 for cause in RULES if cause in fields}}
-    return replace(
-        policy,
-        tolerance=fields.get("tolerance", policy.tolerance),
-        follow_through=fields.get("follow_through", 100 * policy.follow_through) / 100,
-        shares={cause: shares[cause] for cause in CAUSES if shares.get(cause)},
-        problem_step=fields.get("problem_step", policy.problem_step),
-        total_step=fields.get("total_step", policy.total_step),
-    )
 
 
 def effect(before: Marked, now: Marked, words: MarkWords) -> dict[str, Any]:
