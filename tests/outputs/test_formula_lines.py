@@ -39,6 +39,9 @@ def test_a_row_is_broken_between_formulas_and_a_long_formula_before_its_signs() 
     # 15 em each: the second side of the formula has a line of its own, farther in.
     long = in_lines([[("", digits(30)), ("=", digits(30)), ("=", digits(4))]], ".")
     assert shape(long) == [(1.4, 1), (3.8, 2)]
+    # On its second line, 3.8 + 16.03 + 0.28 em are taken: 1.6 + 5 more would have room only if it began at 1.4 em.
+    after = in_lines([[("", digits(30)), ("=", digits(30))], [("", digits(10))]], ".")
+    assert shape(after) == [(1.4, 1), (3.8, 1), (1.4, 1)]
 
 
 def test_what_is_too_wide_is_smaller_or_takes_the_page() -> None:

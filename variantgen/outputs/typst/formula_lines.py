@@ -37,6 +37,10 @@ class _Line:
     bottom: float = 0.0
     top: float = 0.0
 
+    def has_room(self, width: float, room: float) -> bool:
+        """Whether something can follow, with a mark that ends it."""
+        return self.indent + self.end + width + _STOP <= room
+
     def add(self, gap: float, sign: str, piece: Piece, width: float) -> None:
         """Set a piece after what is there: the space before it, its sign, its markup."""
         self.items.append([gap if self.items else 0, sign, piece])
@@ -61,9 +65,8 @@ def in_lines(row: Formulas, mark: str) -> dict[str, Any]:
     wide = any(_LEAST * width > COLUMN for own in widths for width in own)
     room = (PAGE if wide else COLUMN) - _ROOM
     lines = [_Line(_FIRST)]
-    whole = sum(map(_whole, widths)) + (len(row) - 1) * (_BETWEEN_FORMULAS + _STOP) + _STOP
     for i, (pieces, own) in enumerate(zip(row, widths, strict=True)):
-        if whole > room - _FIRST and i and lines[-1].end + _BETWEEN_FORMULAS + _whole(own) + _STOP > room - _FIRST:
+        if i and not lines[-1].has_room(_BETWEEN_FORMULAS + _whole(own), room):
             lines.append(_Line(_FIRST))
         _set(lines, pieces, own, room)
         lines[-1].stop(mark if i == len(row) - 1 else ";")
@@ -74,10 +77,10 @@ def _set(lines: list[_Line], pieces: Sequence[tuple[str, Piece]], widths: Sequen
     """Set a formula on the last line; where there is no room, it goes on below."""
     for k, ((sign, piece), width) in enumerate(zip(pieces, widths, strict=True)):
         gap = _BETWEEN_PIECES if k else _BETWEEN_FORMULAS
-        if k and lines[-1].indent + lines[-1].end + gap + width + _STOP > room:
+        if k and not lines[-1].has_room(gap + width, room):
             lines.append(_Line(_NEXT))
         line = lines[-1]
-        if line.indent + width + _STOP > room:  # it is alone on its line
+        if not _Line(line.indent).has_room(width, room):  # it is alone on its line
             line.scale = (room - line.indent) / (width + _STOP)
         line.add(gap, sign, piece, width)
 
