@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from pathlib import Path
 
 from variantgen.check.report import Report
@@ -44,15 +45,13 @@ def check_told(variants: Sequence[Variant], asked: Sequence[Quantity], report: R
 
     Where only something that nobody asks yet depends on one, that is a remark.
     """
-    try:
+    with suppress(VariantgenError):  # the check of the texts has told what is wrong with a statement
         for found in untold_numbers(variants, asked):
             place = ", ".join(filter(None, (where, found.places)))
             if found.asked:
                 report.fail(found.message, place, found.message)
             else:
                 report.remark(f"{place}: {found.message}")
-    except VariantgenError as error:
-        report.fail(str(error), where)
 
 
 def check_explained(

@@ -115,6 +115,7 @@ def untold_numbers(variants: Sequence[Variant], asked: Sequence[Quantity]) -> It
 
 
 def _message(number: str, dependent: Sequence[str], asked: bool) -> str:
+    """What is wrong with a number, and what to do; ``asked``: the quantities that depend on it are asked."""
     depend = f"{', '.join(dependent)} {'depends' if len(dependent) == 1 else 'depend'} on it"
     otherwise = "" if asked else ", which may be asked; name in may_ask what can be found from the sheet, or"
     remedy = "make it a parameter, which is printed, derive it from parameters, or let the statement tell it"
@@ -193,7 +194,7 @@ def _with_numbers(form: Form, is_scene: bool) -> tuple[Form, dict[str, _Number]]
 
     def variable(value: float, measures: str, place: str) -> Expression:
         key = (float(f"{abs(value):.12g}"), measures)
-        name = known.setdefault(key, f"number_{len(known) + 1}")
+        name = known.setdefault(key, f"number {len(known) + 1}")  # no name of a file has a space
         places = found.setdefault(name, _Number(abs(value), measures, [])).places
         if place not in places:
             places.append(place)
