@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from variantgen.check.explained import check_explained
+from variantgen.check.explained import check_explained, check_told
 from variantgen.check.report import FormReport, Report, Spread
 from variantgen.check.texts import check_quantities, check_texts
 from variantgen.errors import InputError, VariantgenError
@@ -33,6 +33,7 @@ _LEAST_ACCEPTANCE = 0.02
 # An answer that this share of all students has in common is no individual answer.
 _COMMONEST = 0.5
 _NICE = 24  # hand-friendly variants that are drawn
+_TOLD = 3  # variants in which every number that is not printed is changed
 
 
 def check_form(family: Family, form: Form, seeds: int, report: Report) -> None:
@@ -70,6 +71,7 @@ def check_form(family: Family, form: Form, seeds: int, report: Report) -> None:
             report.fail(f"{item.quantity} is the same for {100 * item.commonest:.0f} % of the variants", where)
     check_texts(variants, motion, report)
     check_quantities(variants[0], report)
+    check_told(variants[:_TOLD], asked, report, where)
     check_explained(variants[0], motion, asked, report, where)
     _check_nice(family, form, found, where, report)
 

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from pathlib import Path
 
 from variantgen.check.report import Report
+from variantgen.check.untold import untold_numbers
 from variantgen.errors import VariantgenError
 from variantgen.exam.solution_figures import solution_figure_faults
 from variantgen.families.quantities import Quantity, motion_order
@@ -31,10 +33,25 @@ def check_single_scene(name_or_path: str, folders: tuple[Path, ...], report: Rep
     asked = asked_quantities(variant)
     motion = solve_variants([variant], motion_order(asked))
     check_explained(variant, motion, asked, report)
+    check_told([variant], asked, report)
     try:
         statement_figure(variant, motion, 0, asked, load_language(languages()[0]))
     except VariantgenError as error:
         report.fail(f"the figure cannot be drawn: {error}")
+
+
+def check_told(variants: Sequence[Variant], asked: Sequence[Quantity], report: Report, where: str = "") -> None:
+    """Whether the sheets of variants of one form tell every number that answers depend on.
+
+    Where only something that nobody asks yet depends on one, that is a remark.
+    """
+    with suppress(VariantgenError):  # the check of the texts has told what is wrong with a statement
+        for found in untold_numbers(variants, asked):
+            place = ", ".join(filter(None, (where, found.places)))
+            if found.asked:
+                report.fail(found.message, place, found.message)
+            else:
+                report.remark(f"{place}: {found.message}")
 
 
 def check_explained(
