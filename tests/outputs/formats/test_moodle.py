@@ -127,7 +127,7 @@ def test_students_are_asked_for_a_decimal_point(language: str, note: str, tmp_pa
 
 def test_an_angle_at_180_degrees_may_have_either_sign(tmp_path: Path) -> None:
     body = '[[problem]]\nfamily = "slider_crank"\nform = ["central"]\nask = ["v_B.angle"]\n'
-    out = built(tmp_path, MOODLE + NO_SOLUTIONS + body, 12)
+    out = built(tmp_path, MOODLE + NO_SOLUTIONS + body, 24)
     key, both = key_rows(out), 0
     for question in clozes(quiz(out)):
         (part,) = read_cloze(output(question, "questiontext"))

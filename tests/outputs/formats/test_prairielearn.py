@@ -188,8 +188,8 @@ def test_what_stands_at_the_end_of_the_tolerance_is_right(tmp_path: Path) -> Non
 
 def test_an_angle_at_180_degrees_may_have_either_sign(tmp_path: Path) -> None:
     body = '[[problem]]\nfamily = "slider_crank"\nform = ["central"]\nask = ["v_B.angle", "v_B"]\n'
-    (question,) = questions(built(tmp_path, FORMAT + NO_SOLUTIONS + body, 12))
-    found = [question.generated(seed) for seed in range(12)]
+    (question,) = questions(built(tmp_path, FORMAT + NO_SOLUTIONS + body, 24))
+    found = [question.generated(seed) for seed in range(24)]
     turned = [data for data in found if abs(data["correct_answers"]["a1"]) == 180]
     assert len(turned) > 2
     for data in turned:

@@ -6,7 +6,6 @@ import math
 
 from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
-from variantgen.methods.centres import projections
 from variantgen.methods.centres.centre import ray_to_centre
 from variantgen.methods.centres.known_centre import centre_of, is_near_centre, sense_about
 from variantgen.methods.centres.perpendiculars import meet
@@ -50,6 +49,8 @@ def solve_dyad(book: Book, group: Dyad) -> None:
     body, pole, point = group.body, group.pole, group.point_path.point
     vector(book, pole)
     if book.style.is_free and not is_rate_wanted(book.task, 1, body, {point, pole}):
+        from variantgen.methods.centres import projections  # loaded only where it takes the centre's place
+
         if projections.applies(book, group):
             projections.solve_dyad(book, group)
             return
