@@ -17,6 +17,7 @@ from variantgen.mechanism.solving.solve import add_speeds, solve
 from variantgen.variants.batch import Attempts, MakeScreening, RejectionCounts, joined, starts
 from variantgen.variants.friendly import friendly_answers
 from variantgen.variants.screening import (
+    clear_answers,
     motion_screens,
     parameter_screens,
     position_screens,
@@ -207,12 +208,22 @@ class FormSampler:
             return attempts
         motion = add_speeds(motion.take(passed), self.form.plan, self.order)
         attempts = replace(attempts, motion=motion)
-        attempts = attempts.take(self._keep(motion_screens(self.form, motion, self.asked), attempts.owner.size))
-        if not (self.form.friendly and attempts.owner.size):
+        of_instant = [quantity for quantity in self.asked if not quantity.is_of_interval]
+        attempts = attempts.take(self._keep(motion_screens(self.form, motion, of_instant), attempts.owner.size))
+        if self.form.friendly and attempts.owner.size:
+            assert attempts.motion is not None, "it was put in above"
+            nice = friendly_answers(attempts.motion, self.asked, self.family.length_unit)
+            attempts = attempts.take(self._keep({"hand-friendly answers": nice}, attempts.owner.size))
+        return self._clear_in_time(attempts)
+
+    def _clear_in_time(self, attempts: Attempts) -> Attempts:
+        """Those whose answers of an interval of time are not trivial; last, as each takes the motion all through it."""
+        of_interval = [quantity for quantity in self.asked if quantity.is_of_interval]
+        if not (of_interval and attempts.owner.size):
             return attempts
-        assert attempts.motion is not None, "it was put in above"
-        nice = friendly_answers(attempts.motion, self.asked, self.family.length_unit)
-        return attempts.take(self._keep({"hand-friendly answers": nice}, attempts.owner.size))
+        assert attempts.motion is not None, "attempts that come here are solved"
+        clear = clear_answers(self.form, attempts.motion, of_interval)
+        return attempts.take(self._keep(clear, attempts.owner.size))
 
     def _conditioned(self, attempts: Attempts) -> NDArray[np.bool_]:
         """Whether the answers are well conditioned."""
