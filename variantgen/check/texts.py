@@ -169,9 +169,9 @@ def _unshown(variant: Variant, asked: Sequence[Quantity], language: Language, dr
         parameter = variant.form.parameters[name]
         symbol = language.symbol(parameter.symbol, variant.form.symbols)
         timeless = parameter.unit is None or parameter.unit.measures != "time"
-        # An acceleration in a law of time is told by the text; the figure would show the sense of a negative one.
-        told = parameter.of_second_order and name not in alone and min(parameter.printed) >= 0
-        if timeless and not parameter.constant and not told and not _is_named(symbol, drawn):
+        # An acceleration in a law of time stands in the text; the figure would show the sense of a negative one.
+        is_of_law = parameter.of_second_order and name not in alone and min(parameter.printed) >= 0
+        if timeless and not parameter.constant and not is_of_law and not _is_named(symbol, drawn):
             found.append(name)
     return found
 
