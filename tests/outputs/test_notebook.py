@@ -189,3 +189,11 @@ def test_nothing_has_to_be_installed() -> None:
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert int(done.stdout.split()[0]) > 1000
+
+
+def test_a_console_shows_one_line_of_a_solution_and_print_the_text():
+    variant = variantgen.draw(variantgen.load_family("four_bar"), ["v_B"], [("1", "2")])[0]
+    found = variantgen.explain(variant, ask=["v_B"])
+    line = repr(found)
+    assert line.startswith("<Explanation of four_bar") and "v_B" in line and "\n" not in line
+    assert str(found).count("\n") > 5 and "cm/s" in str(found)

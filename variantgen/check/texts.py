@@ -133,7 +133,7 @@ def check_quantities(variant: Variant, report: Report) -> None:
 def _at_constant_speed(variant: Variant) -> Variant:
     """The variant with all accelerations zero that are given as numbers: its text must not speak of them."""
     graphed = variant.form.figure.graph
-    second = {n for n, parameter in variant.form.parameters.items() if parameter.of_second_order and n not in graphed}
+    second = variant.form.of_accelerations_alone - set(graphed)
     return replace(variant, printed={n: Decimal(0) if n in second else v for n, v in variant.printed.items()})
 
 
@@ -164,12 +164,14 @@ def _failures(
 
 def _unshown(variant: Variant, asked: Sequence[Quantity], language: Language, drawn: set[Formula]) -> list[str]:
     """Given data that the figure should show and does not; constants and times have no place in it."""
-    found = []
+    found, alone = [], variant.form.of_accelerations_alone
     for name in given_names(variant, asked):
         parameter = variant.form.parameters[name]
         symbol = language.symbol(parameter.symbol, variant.form.symbols)
         timeless = parameter.unit is None or parameter.unit.measures != "time"
-        if timeless and not parameter.constant and not _is_named(symbol, drawn):
+        # An acceleration in a law of time stands in the text; the figure would show the sense of a negative one.
+        is_of_law = parameter.of_second_order and name not in alone and min(parameter.printed) >= 0
+        if timeless and not parameter.constant and not is_of_law and not _is_named(symbol, drawn):
             found.append(name)
     return found
 

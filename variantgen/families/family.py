@@ -119,6 +119,15 @@ class Form:
         return {name: value for name, value in vars(self).items() if name != "remembered"}
 
     @cached_property
+    def of_accelerations_alone(self) -> frozenset[str]:
+        """Parameters on which only accelerations depend: those of second order that are in no law of time."""
+        in_laws = set(self.laws)
+        for name, expression in reversed(list(self.derived.items())):
+            in_laws |= expression.names if name in in_laws else set()
+        second = {name for name, parameter in self.parameters.items() if parameter.of_second_order}
+        return frozenset(second - in_laws)
+
+    @cached_property
     def askable(self) -> list[str]:
         """Names of the quantities that may be asked: the plain ones of the scene, or those that ``may_ask`` allows."""
         names = quantity_names(self.sample)

@@ -87,8 +87,7 @@ def motion_of(variant: Variant, asked: Sequence[Quantity], language: str) -> dic
 
 def _uniform(variant: Variant) -> Variant:
     """A variant whose drivers have no accelerations."""
-    parameters = variant.form.parameters
-    none = {name: Decimal(0) for name in variant.printed if parameters[name].of_second_order}
+    none = dict.fromkeys(variant.form.of_accelerations_alone, Decimal(0))
     return replace(variant, printed={**variant.printed, **none})
 
 

@@ -10,13 +10,15 @@ from numpy.typing import NDArray
 
 from variantgen.errors import InputError, Problem, VariantgenError
 from variantgen.families.family import Family, Form
-from variantgen.families.parameters.draw_rules import Screens, frame
+from variantgen.families.parameters.draw_rules import frame
 from variantgen.families.quantities import Quantity, motion_order
+from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.solving.solve import add_speeds, solve
-from variantgen.variants.batch import Attempts, MakeScreening, RejectionCounts, joined, starts
+from variantgen.variants.batch import Attempts, MakeScreening, RejectionCounts, joined, no_valid_variant, starts
 from variantgen.variants.friendly import friendly_answers
 from variantgen.variants.screening import (
+    clear_answers,
     motion_screens,
     parameter_screens,
     position_screens,
@@ -39,12 +41,6 @@ _HOPELESS, _HOPELESS_JUDGED = 2, 1000
 
 class VerificationError(VariantgenError):
     """The solver and the independent computation disagree: a defect of the program, never to reach paper."""
-
-
-_FIXED = (
-    "all its numbers are fixed, so no other draw can pass: change one of them, or loosen what [screens] of the family"
-    " demands"
-)
 
 
 class FormSampler:
@@ -103,7 +99,7 @@ class FormSampler:
             pending = [i for i in pending if i not in found]
             chunk = min(2 * chunk, 2048, max(_CHUNK, self._at_once // max(1, len(pending))))
             if pending and (self._is_hopeless(len(found)) or min(used[pending] - np.array(done)[pending]) > self._most):
-                raise InputError(self._exhausted())
+                raise InputError(self._exhausted)
         return [found[i] for i in range(len(streams))]
 
     def _is_hopeless(self, found: int) -> bool:
@@ -167,7 +163,7 @@ class FormSampler:
             found.append(passed)
             have, done = have + passed.number.size, done + chunk
             if have < count and self._is_hopeless(have):
-                raise InputError(self._exhausted())
+                raise InputError(self._exhausted)
             chunk = min(self._at_once, max(_AT_LEAST, round(1.1 * (count - have) * done / max(1, have))))
         return joined(found).take(np.arange(count))
 
@@ -207,12 +203,21 @@ class FormSampler:
             return attempts
         motion = add_speeds(motion.take(passed), self.form.plan, self.order)
         attempts = replace(attempts, motion=motion)
-        attempts = attempts.take(self._keep(motion_screens(self.form, motion, self.asked), attempts.owner.size))
-        if not (self.form.friendly and attempts.owner.size):
-            return attempts
-        assert attempts.motion is not None, "it was put in above"
-        nice = friendly_answers(attempts.motion, self.asked, self.family.length_unit)
-        return attempts.take(self._keep({"hand-friendly answers": nice}, attempts.owner.size))
+        of_instant = [quantity for quantity in self.asked if not quantity.is_of_interval]
+        attempts = attempts.take(self._keep(motion_screens(self.form, motion, of_instant), attempts.owner.size))
+        for screens in (self._friendly, self._clear_in_time):
+            if attempts.owner.size:
+                assert attempts.motion is not None, "it was put in above"
+                attempts = attempts.take(self._keep(screens(attempts.motion), attempts.owner.size))
+        return attempts
+
+    def _friendly(self, motion: Motion) -> dict[str, NDArray[np.bool_]]:
+        nice = friendly_answers(motion, self.asked, self.family.length_unit) if self.form.friendly else None
+        return {} if nice is None else {"hand-friendly answers": nice}
+
+    def _clear_in_time(self, motion: Motion) -> dict[str, NDArray[np.bool_]]:
+        """The screens of values of an interval of time: the last, as each needs the motion all through it."""
+        return clear_answers(self.form, motion, [quantity for quantity in self.asked if quantity.is_of_interval])
 
     def _conditioned(self, attempts: Attempts) -> NDArray[np.bool_]:
         """Whether the answers are well conditioned."""
@@ -269,8 +274,8 @@ class FormSampler:
         return np.flatnonzero(alive)
 
     @property
-    def _nice(self) -> bool:
-        return self.form.friendly or self.form.ties is not None
+    def _exhausted(self) -> Problem:
+        return no_valid_variant(self.form, self.tally, self.where)
 
     def variant(self, attempts: Attempts, i: int) -> Variant:
         """One of the attempts."""
@@ -283,18 +288,4 @@ class FormSampler:
             sense,
             turns,
             int(attempts.number[i]),
-        )
-
-    def _exhausted(self) -> Problem:
-        narrow = [name for name, p in self.form.parameters.items() if p.given and len(p.printed) <= 2]
-        given = [name for name, p in self.form.parameters.items() if p.given]
-        which = ", ".join(narrow or given)
-        remedy = f"widen the range of one of: {which}" if given else _FIXED
-        remedy += ", ask for less, or leave nice out" if self._nice else ""
-        if self.form.screens.ceiling < Screens().ceiling:
-            remedy += f", or raise the ceiling of its screens ({self.form.screens.ceiling:g})"
-        return Problem(
-            "no valid variant found: " + self.tally.report(),
-            key=f"{self.where}{'/' + self.form.name if self.form.name else ''}",
-            remedy=remedy,
         )

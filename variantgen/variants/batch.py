@@ -10,12 +10,19 @@ from typing import Protocol, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from variantgen.errors import Problem
 from variantgen.families.family import Form
+from variantgen.families.parameters.draw_rules import Screens
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Frame
 from variantgen.variants.screening import Values
 from variantgen.variants.variant import Variant
+
+_FIXED = (
+    "all its numbers are fixed, so no other draw can pass: change one of them, or loosen what [screens] of the family"
+    " demands"
+)
 
 Flags: TypeAlias = Mapping[str, NDArray[np.bool_]]  # by screen, shape (N,)
 
@@ -83,3 +90,16 @@ def joined(parts: Sequence[Attempts]) -> Attempts:
         np.concatenate([part.owner for part in parts]),
         np.concatenate([part.number for part in parts]),
     )
+
+
+def no_valid_variant(form: Form, tally: RejectionCounts, where: str) -> Problem:
+    """What to say where all draws of a form fail: which screens rejected them, and what to loosen."""
+    narrow = [name for name, p in form.parameters.items() if p.given and len(p.printed) <= 2]
+    given = [name for name, p in form.parameters.items() if p.given]
+    which = ", ".join(narrow or given)
+    remedy = f"widen the range of one of: {which}" if given else _FIXED
+    remedy += ", ask for less, or leave nice out" if form.friendly or form.ties is not None else ""
+    if form.screens.ceiling < Screens().ceiling:
+        remedy += f", or raise the ceiling of its screens ({form.screens.ceiling:g})"
+    message = "no valid variant found: " + tally.report()
+    return Problem(message, key=f"{where}{'/' + form.name if form.name else ''}", remedy=remedy)

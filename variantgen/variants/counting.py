@@ -14,7 +14,7 @@ from variantgen.variants.batch import Attempts, RejectionCounts
 from variantgen.variants.seeding import Stream, index_below
 
 # Grids up to this size are screened point by point (a second or so).
-_COUNTED = 20_000
+_COUNTED, _COUNTED_IN_TIME = 20_000, 1_000  # the fewer where each point needs the motion in an interval of time
 _SILENT_TRIALS = 12
 
 
@@ -34,7 +34,7 @@ def variety(family: Family, form: Form, asked: Sequence[Quantity], accepted: int
     uniform over the grid.
     """
     grid = form.grid_size
-    if grid > _COUNTED:
+    if grid > (_COUNTED_IN_TIME if any(quantity.is_of_interval for quantity in asked) else _COUNTED):
         return Variety(grid, round(grid * accepted / attempts), False)
     free = form.free_names
     sizes = [len(form.parameters[name].printed) for name in free]

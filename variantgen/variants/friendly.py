@@ -33,8 +33,10 @@ def friendly_answers(motion: Motion, asked: Sequence[Quantity], length_unit: str
     """Whether the answers of variants are hand-friendly in their printed units, shape (N,).
 
     Every velocity and angular velocity must be, and half of all that is asked: velocities of nice data are nice, while
-    an acceleration is mostly the magnitude of a sum of vectors, which no choice of data makes simple.
+    an acceleration is mostly the magnitude of a sum of vectors, which no choice of data makes simple. Values of an
+    interval of time do not count, since no calculation by hand leads to them.
     """
+    asked = [quantity for quantity in asked if not quantity.is_of_interval]
     alive = np.arange(motion.size)
     count = np.zeros(motion.size, dtype=np.int64)
     for quantity in sorted(asked, key=lambda quantity: quantity.order):

@@ -23,7 +23,7 @@ def max_distinct_problems(form: Form, asked: Sequence[Quantity]) -> int:
     size = (len(form.ties.rows) if form.ties else 1) * _ways_on_paper(form, asked)
     for name in form.free_names:
         parameter = form.parameters[name]
-        if name not in idle and not (parameter.of_second_order and velocities_only):
+        if name not in idle and not (name in form.of_accelerations_alone and velocities_only):
             size *= len(parameter.printed)
     return size
 
@@ -52,15 +52,11 @@ def shown_points(variant: Variant, asked: Sequence[Quantity]) -> list[str]:
 
 
 def _without(variant: Variant, asked: Sequence[Quantity]) -> frozenset[str]:
-    """Parameters of second order that are not printed: all, where only velocities are asked, and zeros."""
-    names = _of_second_order(variant.form)
+    """Parameters of accelerations alone that are not printed: all, where only velocities are asked, and zeros."""
+    names = variant.form.of_accelerations_alone
     if motion_order(asked) == 1:
         return names
     return frozenset([name for name in names if variant.printed[name] == 0])
-
-
-def _of_second_order(form: Form) -> frozenset[str]:
-    return frozenset(name for name, parameter in form.parameters.items() if parameter.of_second_order)
 
 
 @lru_cache(maxsize=1000)

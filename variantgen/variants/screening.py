@@ -129,6 +129,12 @@ def _clearance(form: Form, motion: Motion, shown: Sequence[str]) -> NDArray[np.f
 def motion_screens(form: Form, motion: Motion, asked: Sequence[Quantity]) -> dict[str, Passed]:
     """Away from dead points; answers neither trivial nor out of proportion; nothing implausibly fast."""
     found = {"away from dead points": motion.solved & _at_least(motion.transmission, np.sin(form.screens.transmission))}
+    return found | clear_answers(form, motion, asked) | plausibility_screens(form, motion)
+
+
+def clear_answers(form: Form, motion: Motion, asked: Sequence[Quantity]) -> dict[str, Passed]:
+    """Answers neither trivial nor out of proportion."""
+    found = {}
     for quantity in asked:
         # A direction or a sense is as clear as its vector or rate is large.
         size = np.abs(quantity.whole.value(motion))
@@ -137,7 +143,7 @@ def motion_screens(form: Form, motion: Motion, asked: Sequence[Quantity]) -> dic
         if quantity.is_length and quantity.is_of_instant:
             clear &= size <= _FAR * scale
         found[f"{quantity.name} not trivial"] = clear
-    return found | plausibility_screens(form, motion)
+    return found
 
 
 def plausibility_screens(form: Form, motion: Motion) -> dict[str, Passed]:

@@ -59,5 +59,5 @@ class Parameter:
 
     @property
     def of_second_order(self) -> bool:
-        """Whether only accelerations depend on it."""
+        """Whether it is an acceleration, no constant: only accelerations depend on it, and what laws make of it."""
         return self.unit is not None and self.unit.dimension[1] == -2 and not self.constant

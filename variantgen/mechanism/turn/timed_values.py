@@ -22,6 +22,7 @@ _CONSTANT = 1e-9  # relative range of what does not change
 _ZERO = 1e-6  # of the largest value: less is zero
 _ROUNDING = 1e-12  # of the way there and back: less is no change
 _LATER = 1e-6  # of the interval: so long after its beginning an instant is another one
+_LEFT_OUT = 1e-10  # of the largest value: the last two coefficients of what a polynomial resolves
 _NEAR = 1e-5  # of the interval: about a zero, within which the quantity is a straight line
 _GAUSS, _WEIGHTS = np.polynomial.legendre.leggauss(20)
 
@@ -102,19 +103,74 @@ def first_return(timed: TimedMotion, point: str) -> Field:
 
 
 def way(timed: TimedMotion, speed: Scalar) -> Field:
-    """The integral of a magnitude over the interval: the way of a point (m), or of a rotation (rad), shape (N,)."""
+    """The integral of a magnitude over the interval: the way of a point (m), or of a rotation (rad), shape (N,).
+
+    Where the polynomials of the pieces resolve the magnitude, they are integrated. It has a kink where it is zero, and
+    bends sharply where it nearly is: such pieces are cut at the zeros, and integrated by Gauss's rule.
+    """
     total = np.where(timed.complete, 0.0, np.inf)
     own, stops = zeros(timed, speed)
-    for pieces in timed.parts:
-        for variant, middle, half in zip(pieces.variants.tolist(), pieces.middle, pieces.half.tolist(), strict=True):
-            edges = np.append(middle - half, middle[-1] + half)
-            cuts = np.unique(np.clip(np.concatenate([edges, stops[own == variant]]), edges[0], edges[-1]))
-            middles, halves = 0.5 * (cuts[1:] + cuts[:-1]), 0.5 * np.diff(cuts)
-            times = (middles[:, None] + halves[:, None] * _GAUSS).ravel()
-            rows = np.full(len(times), variant, dtype=np.intp)
-            values = speed(timed.at(rows, times), rows).reshape(len(middles), -1)
-            total[variant] = np.sum(halves * (values @ _WEIGHTS))
+    for pieces, table in _tables(timed, speed):
+        coefficients = pieces.coefficients(table)
+        smooth = _is_smooth(coefficients, table) & ~_has_stop(pieces, own, stops)
+        whole = np.where(smooth, _integral(coefficients), 0.0) * pieces.half[:, None]
+        total[pieces.variants] = np.sum(whole, axis=1)
+        variant, low, high = _cut(pieces, ~smooth, own, stops)
+        middle, half = 0.5 * (low + high), 0.5 * (high - low)
+        times = middle[:, None] + half[:, None] * _GAUSS
+        rows = np.repeat(variant, _GAUSS.size)
+        values = speed(timed.at(rows, times.ravel()), rows).reshape(times.shape) if rows.size else times
+        np.add.at(total, variant, half * (values @ _WEIGHTS))
     return total
+
+
+def _is_smooth(coefficients: Field, table: Field) -> NDArray[np.bool_]:
+    """Which pieces are resolved by their polynomials, shape (n, count)."""
+    most = np.max(np.abs(table), axis=(1, 2))
+    found: NDArray[np.bool_] = np.max(np.abs(coefficients[..., -2:]), axis=-1) <= _LEFT_OUT * most[:, None]
+    return found
+
+
+def _has_stop(pieces: Pieces, own: NDArray[np.intp], stops: Field) -> NDArray[np.bool_]:
+    """Which pieces have one of the ``stops`` of the variants ``own``, or end at one, shape (n, count)."""
+    found = np.zeros(pieces.middle.shape, dtype=bool)
+    for row, piece, _ in _stops_in(pieces, own, stops):
+        found[row, piece] = True
+    return found
+
+
+def _stops_in(pieces: Pieces, own: NDArray[np.intp], stops: Field) -> Iterator[tuple[int, int, float]]:
+    """Row, piece and instant of each of the stops, for each piece that it lies in."""
+    rows = {variant: row for row, variant in enumerate(pieces.variants.tolist())}
+    for variant, time in zip(own.tolist(), stops.tolist(), strict=True):
+        if (row := rows.get(variant)) is not None:
+            within = np.abs(pieces.middle[row] - time) <= pieces.half[row] * (1 + _LATER)
+            for piece in np.flatnonzero(within).tolist():
+                yield row, piece, time
+
+
+def _cut(
+    pieces: Pieces, chosen: NDArray[np.bool_], own: NDArray[np.intp], stops: Field
+) -> tuple[NDArray[np.intp], Field, Field]:
+    """The chosen pieces, shape (n, count), cut at the stops: the variants, beginnings and ends (s) of the parts."""
+    cuts: dict[tuple[int, int], list[float]] = {(row, piece): [] for row, piece in np.argwhere(chosen).tolist()}
+    for row, piece, time in _stops_in(pieces, own, stops):
+        cuts[row, piece].append(time)
+    variants, low, high = [], [], []
+    for (row, piece), inner in cuts.items():
+        first, last = (float(pieces.middle[row, piece] + side * pieces.half[row]) for side in (-1, 1))
+        edges = [first, *(min(max(time, first), last) for time in sorted(inner)), last]
+        variants += [int(pieces.variants[row])] * (len(edges) - 1)
+        low += edges[:-1]
+        high += edges[1:]
+    return np.array(variants, dtype=np.intp), np.array(low, dtype=float), np.array(high, dtype=float)
+
+
+def _integral(coefficients: Field) -> Field:
+    """The integrals of polynomials from -1 to 1; those of odd degrees vanish."""
+    even = np.arange(0, coefficients.shape[-1], 2)
+    found: Field = coefficients[..., ::2] @ (2.0 / (1.0 - even**2))
+    return found
 
 
 def way_of(timed: TimedMotion, point: str) -> Field:
@@ -131,9 +187,7 @@ def turned(timed: TimedMotion, body: str) -> Field:
     """The angle (rad) by which a body turns in the interval, counter-clockwise less clockwise, shape (N,)."""
     total = np.full(timed.size, np.inf)
     for pieces, table in _tables(timed, lambda motion, _: motion.omega[body]):
-        parts = pieces.coefficients(table)[..., ::2]  # the integrals of odd ones vanish
-        even = np.arange(parts.shape[-1]) * 2
-        angles = (parts @ (2.0 / (1.0 - even**2))) * pieces.half[:, None]
+        angles = _integral(pieces.coefficients(table)) * pieces.half[:, None]
         whole, way = np.sum(angles, axis=1), np.sum(np.abs(angles), axis=1)
         total[pieces.variants] = np.where(np.abs(whole) <= _ROUNDING * way, 0.0, whole)
     return total

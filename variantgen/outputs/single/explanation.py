@@ -33,7 +33,10 @@ class Explanation:
     def __str__(self) -> str:
         return plain_solution(self.text, self.language)
 
-    __repr__ = __str__  # what a console shows
+    def __repr__(self) -> str:
+        form = f"/{self.variant.form.name}" if self.variant.form.name else ""
+        names = ", ".join(quantity.name for quantity in self.asked)
+        return f"<Explanation of {self.variant.family.name}{form}: {names}; print it, or save it>"
 
     def _repr_html_(self) -> str:
         """What a notebook shows: the problem and its solution with figures."""
