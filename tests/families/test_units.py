@@ -176,3 +176,44 @@ def test_a_rate_in_turns_is_given_in_rpm_and_brought_to_radians(tmp_path, capsys
     shown = capsys.readouterr().out.replace("\N{NO-BREAK SPACE}", " ")
     assert given in shown
     assert worked_out in shown
+
+
+@pytest.mark.parametrize(
+    ("velocity", "length", "given", "line", "ask"),
+    [
+        # 60 km/h are 60/3.6 = 16.67 m/s; P lies 4 m from A and 3 m from B, so that v_B = 16.67 * 3/4 = 12.5 m/s.
+        ("60 km/h", "m", "v_A = 60 km/h", "v_A = 60 / 3.6 = 16.67 m/s", "v_B = 12.5 m/s"),
+        # A mile has 160934.4 cm: 2682 cm/s, and 2012 cm/s.
+        ("60 mi/h", "cm", "v_A = 60 mi/h", "v_A = 60 · 160934.4 / 3600 = 2682 cm/s", "v_B = 2012 cm/s"),
+        ("50 ft/min", "ft", "v_A = 50 ft/min", "v_A = 50 / 60 = 0.8333 ft/s", "v_B = 0.625 ft/s"),
+        ("5 m/s", "m", "v_A = 5 m/s", "", "v_B = 3.75 m/s"),
+    ],
+)
+def test_velocities_are_given_as_they_are_stated_and_converted_in_a_line(
+    velocity: str, length: str, given: str, line: str, ask: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    scene = tmp_path / "ladder.toml"
+    scene.write_text(
+        f"""schema = 1
+title = {{ en = "Ladder" }}
+length_unit = "{length}"
+ask = ["v_B"]
+[points]
+A = {{ coordinates = {{ x = 0, y = "3 m" }} }}
+B = {{ coordinates = {{ x = "4 m", y = 0 }} }}
+[bodies]
+AB = ["A", "B"]
+[[joints]]
+guide = {{ point = "A", angle = "90 deg" }}
+[[joints]]
+guide = {{ point = "B", angle = 0 }}
+[[drivers]]
+travel = {{ point = "A", v = "{velocity}", angle = "-90 deg" }}
+""",
+        "utf-8",
+    )
+    assert main(["show", str(scene), "--lang", "en", "--explain"]) == 0
+    said = capsys.readouterr().out.replace("\N{NO-BREAK SPACE}", " ")
+    assert given in said
+    assert line in said
+    assert f"Answer: {ask}." in said

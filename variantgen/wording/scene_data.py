@@ -8,7 +8,7 @@ from decimal import Decimal
 import numpy as np
 
 from variantgen.families.literal_data import LiteralDatum, literal_data, literal_radii
-from variantgen.families.parameters.units import Unit, unit, unit_of_turning
+from variantgen.families.parameters.units import Unit, short_unit, unit
 from variantgen.families.quantities import Quantity, motion_order
 from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import Variant, solve_variants
@@ -78,7 +78,7 @@ class _SceneData:
                 yield self._equation(datum.name, abs(end - start), own)
             case "rate":
                 si = datum.si if datum.source is None else float(datum.source.value(self._values))
-                yield self._equation(datum.name, abs(si), unit_of_turning(si, own))
+                yield self._equation(datum.name, abs(si), short_unit(si, own))
 
     def _radius(self, datum: LiteralDatum) -> Symbol:
         """``r_B``, of a second one of the same body ``r_2B``: as in :mod:`variantgen.methods.geometry.radii`."""

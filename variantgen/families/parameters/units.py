@@ -67,6 +67,9 @@ _SECONDS = {"min": 60, "h": 3600}
 _SPELLED = {"²": "^2", "**2": "^2", "°": "deg", "об/мин": "rpm", "rev/min": "rpm", "r/min": "rpm", "mph": "mi/h"}
 
 
+IN_LONGER_TIMES = {f"{way}/{time}": _SECONDS[time] for way, time in _PER_LONGER}  # with the seconds of the time
+
+
 def _table() -> dict[str, Unit]:
     one = Decimal(1)
     units = [Unit(name, (1, 0), factor, "length") for name, factor in LENGTHS.items()]
@@ -91,7 +94,7 @@ def _table() -> dict[str, Unit]:
 UNITS = _table()
 _LARGEST_EXPONENT = 12
 _DECIMALS = 12  # of a number in another unit, where it does not end
-_SHORT, _SAME = 6, 1e-10  # digits of a number that is stated as it is; what a conversion rounds, relative
+_SHORTER, _SHORT, _SAME = 4, 6, 1e-10  # digits of a number that is stated as it is; what a conversion rounds, relative
 _NUMBER_WITH_UNIT = re.compile(
     r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(?:\s*/\s*(\d+\.?\d*))?\s*((?:[^\W\d_]|°)[\w/^°²*-]*)?\s*"
 )
@@ -113,14 +116,16 @@ def unit(name: str, key: str = "unit") -> Unit:
     return found
 
 
-def unit_of_turning(si: float, usual: Unit) -> Unit:
-    """The unit in which a rate (SI) is a short number: rpm where an angular velocity is none in the usual unit."""
-    in_turns = UNITS[{"rad/s": "rpm", "rad/s^2": "rpm/s"}.get(usual.name, usual.name)]
-    return in_turns if not _is_short(usual.from_si(si)) and _is_short(in_turns.from_si(si)) else usual
+def short_unit(si: float, usual: Unit) -> Unit:
+    """The unit in which a rate (SI) is a short number: rpm, km/h and the like where it is none in the usual unit."""
+    longer = {"angular velocity": ["rpm"], "angular acceleration": ["rpm/s"], "velocity": IN_LONGER_TIMES}
+    units = [usual, *(UNITS[name] for name in longer.get(usual.measures, ()))]
+    found = (own for digits in (_SHORTER, _SHORT) for own in units if _is_short(own.from_si(si), digits))
+    return next(found, usual)
 
 
-def _is_short(number: float) -> bool:
-    return abs(float(f"{number:.{_SHORT}g}") - number) <= _SAME * abs(number)
+def _is_short(number: float, digits: int) -> bool:
+    return abs(float(f"{number:.{digits}g}") - number) <= _SAME * abs(number)
 
 
 def checked(value: Decimal, key: str) -> Decimal:

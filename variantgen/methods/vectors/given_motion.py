@@ -9,7 +9,7 @@ from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import simplified
 from variantgen.families.family import ComponentTemplate
 from variantgen.families.parameters.expressions import FamilyExpression
-from variantgen.families.parameters.units import unit, unit_of_turning
+from variantgen.families.parameters.units import IN_LONGER_TIMES, LENGTHS, Unit, short_unit, unit
 from variantgen.mechanism.drivers.circling import Circling
 from variantgen.mechanism.drivers.extension import Extension
 from variantgen.mechanism.drivers.relative_travel import RelativeTravel
@@ -147,15 +147,14 @@ def amount(book: Book, template: ComponentTemplate, key: str, measure: str) -> V
         if expression.expression is None or name.kind not in _RATES or _is_letter_of_rate(expression):
             return expression
         return book.derive(name, measure, expression.expression)  # n in rpm is no angular velocity
-    number = abs(book.task.read(source))
-    if measure in ("velocity", "acceleration"):
-        number /= book.task.length_unit
+    si = abs(book.task.read(source))
+    number = si / book.task.length_unit if measure in ("velocity", "acceleration") else si
     if number == 0 or expression is None or (isinstance(expression, Constant) and not _is_of_law(book, source)):
-        turns = unit_of_turning(number, unit(book.task.unit_of(measure)))
-        if not turns.name.startswith("rpm"):
+        usual = unit(book.task.unit_of(measure))
+        printed = short_unit(si, usual)
+        if printed == usual:
             return Value(None, measure, number)
-        in_turns = Constant(float(f"{turns.from_si(number):.9g}"))
-        return book.derive(_name_of(book, template, key), measure, Ratio(Times((Pi(), in_turns)), Constant(30.0)))
+        return book.derive(_name_of(book, template, key), measure, _converted(si, printed, usual))
     if book.order == 1:
         _say_law(book, template, source)
     name = _name_of(book, template, key)
@@ -168,6 +167,18 @@ def amount(book: Book, template: ComponentTemplate, key: str, measure: str) -> V
     assert simple is not None
     expression = simple if simple.number(True) >= 0 else -simple  # a magnitude: the figure shows the sense
     return book.derive(name, measure, expression)
+
+
+def _converted(si: float, printed: Unit, usual: Unit) -> Expression:
+    """A rate in the usual unit by the number in that of the data: ``pi n/30`` of turns a minute, ``v/3.6`` of km/h."""
+    number = Constant(float(f"{printed.from_si(si):.9g}"))
+    if printed.name not in IN_LONGER_TIMES:
+        return Ratio(Times((Pi(), number)), Constant(30.0))
+    seconds = float(IN_LONGER_TIMES[printed.name])
+    way = float(LENGTHS[printed.name.partition("/")[0]] / LENGTHS[usual.name.partition("/")[0]])
+    if way <= seconds:
+        return Ratio(number, Constant(seconds / way))
+    return Ratio(Times((number, Constant(way))), Constant(seconds))
 
 
 def _is_letter_of_rate(value: Value) -> bool:
