@@ -119,7 +119,8 @@ def unit(name: str, key: str = "unit") -> Unit:
 def short_unit(si: float, usual: Unit) -> Unit:
     """The unit in which a rate (SI) is a short number: rpm, km/h and the like where it is none in the usual unit."""
     longer = {"angular velocity": ["rpm"], "angular acceleration": ["rpm/s"], "velocity": IN_LONGER_TIMES}
-    units = [usual, *(UNITS[name] for name in longer.get(usual.measures, ()))]
+    others = (UNITS[name] for name in longer.get(usual.measures, ()))
+    units = [usual, *sorted(others, key=lambda other: other.is_metric != usual.is_metric)]
     found = (own for digits in (_SHORTER, _SHORT) for own in units if _is_short(own.from_si(si), digits))
     return next(found, usual)
 
