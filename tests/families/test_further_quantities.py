@@ -210,7 +210,7 @@ def test_how_they_are_written(name: str, plain: str, typst: str, latex: str) -> 
         ("four_bar", "distance_A.B", "both points belong to AB"),
         ("four_bar", "rho_B", "the radius is their distance"),
         ("rolling_wheel", "x_O", "the data tell it"),
-        ("sleeve_on_crank", "distance_O.C", "both points belong to OA"),
+        ("slider_crank", "distance_O.A", "both points belong to OA"),
         ("four_bar", "P_OA.x", "OA turns about O, which rests"),
     ],
 )
