@@ -102,3 +102,23 @@ def test_a_body_of_one_point_does_not_turn(scene: Scene) -> None:
         "[[joints]]\nguide = { point = 'B', angle = 30 }\n[[drivers]]\ntravel = { point = 'B', v = 2, angle = 30 }\n"
     )
     assert scene.answers(text, "--ask", "omega_block", "--ask", "v_B") == {"omega_block": 0.0, "v_B": pytest.approx(2)}
+
+
+def test_a_belt_comes_back_as_it_left(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Two wheels of 15 and 10 cm: the smaller one is 1.5 times as fast; a belt that comes back otherwise would tear."""
+    scene = tmp_path / "belt.toml"
+    wheels = "".join(f"[[joints]]\npivot = {{ point = '{point}' }}\n" for point in "OP")
+    station = "{{ point = 'O', radius = {}, side = '{}', body = 'A' }}"
+    for radius, side, code in ((15, "right", 0), (15, "left", 2), (12, "right", 2)):
+        ends = station.format(15, "right"), station.format(radius, side)
+        other = "{ point = 'P', radius = 10, side = 'right', body = 'B' }"
+        scene.write_text(
+            "length_unit = 'cm'\nask = ['omega_B']\n"
+            "[points]\nO = { coordinates = { x = 0, y = 0 } }\nP = { coordinates = { x = 90, y = 0 } }\n"
+            f"[bodies]\nA = ['O']\nB = ['P']\n{wheels}"
+            f"[[joints]]\nrope = {{ path = [{ends[0]}, {other}, {ends[1]}] }}\n"
+            "[[drivers]]\nrotation = { body = 'A', omega = 2 }\n"
+        )
+        assert main(["solve", str(scene)]) == code
+        said = capsys.readouterr()
+        assert ("omega_B = 3 rad/s" in said.out) if code == 0 else ("contradict each other" in said.err)

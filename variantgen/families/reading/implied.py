@@ -12,6 +12,8 @@ from variantgen.mechanism.joints.guide import Guide
 from variantgen.mechanism.joints.rope import Rope
 from variantgen.mechanism.joints.translation import Translation
 
+_BELT = ("point", "body", "radius", "side")  # what the ends of a belt that comes back have in common
+
 
 def with_blocks(
     joints: Sequence[ComponentTemplate], drivers: Sequence[ComponentTemplate], bodies: Mapping[str, Sequence[str]]
@@ -61,8 +63,14 @@ def _between_drums(item: ComponentTemplate) -> list[ComponentTemplate]:
 
 
 def _same_drum(first: ComponentTemplate, last: ComponentTemplate) -> bool:
-    """Whether two stations are one body that the rope turns."""
-    return bool(first.fields.get("body")) and all(first.fields[k] == last.fields.get(k) for k in ("point", "body"))
+    """Whether two stations are one body that the rope turns the same way; else the last strand may contradict."""
+    return bool(first.fields.get("body")) and all(_stated(first, k) == _stated(last, k) for k in _BELT)
+
+
+def _stated(station: ComponentTemplate, field: str) -> object:
+    """What a file says in a field: an expression is the same if its text is."""
+    value = station.fields.get(field)
+    return value.text if isinstance(value, FamilyExpression) else value
 
 
 def _points(item: ComponentTemplate) -> list[str]:
