@@ -7,7 +7,10 @@ from pathlib import Path
 import pytest
 
 from variantgen.check.family import check_family
+from variantgen.errors import InputError
+from variantgen.families.asking import read_ask
 from variantgen.families.reading.files import FAMILY
+from variantgen.families.reading.load import load_family
 from variantgen.skeletons import new_family
 
 _ON_NO_SHEET = "is on no sheet"
@@ -115,3 +118,12 @@ def test_a_scene_tells_its_own_numbers_and_no_others(distance: str, told: bool, 
     path = tmp_path / "scene.toml"
     path.write_text(_SCENE.replace("DISTANCE", distance), "utf-8")
     assert bool(_found(path)) is not told
+
+
+def test_what_hangs_on_the_end_of_the_rod_cannot_be_asked() -> None:
+    """The end D of the rod beyond the collar is told by no sheet: neither its motion nor motion as seen from it."""
+    form = next(iter(load_family("sleeve_on_crank").forms.values()))
+    assert read_ask(form, ["v_B", "v_C.x"])
+    for name in ("v_D", "a_D", "v_A/D"):
+        with pytest.raises(InputError, match="do not determine it"):
+            read_ask(form, [name])
