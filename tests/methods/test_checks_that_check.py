@@ -11,10 +11,10 @@ from tests.methods.given_data import worked_book
 from variantgen.algebra.expression import Constant, Expression, Value
 from variantgen.algebra.substitution import substituted
 from variantgen.algebra.values import in_order
+from variantgen.methods.checks.velocity_check import base_point_of_velocities
 from variantgen.methods.compose import solution
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Balance, Derived, Solution
-from variantgen.methods.velocity_check import base_point_of_velocities
 
 WRONG = 1.01
 PRINTED = 2e-3  # of the side: what four printed digits allow the sides to differ by

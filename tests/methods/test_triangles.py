@@ -49,7 +49,9 @@ def test_one_law_of_cosines_and_one_of_sines_in_general() -> None:
     assert text.count("arccos") == 2  # in symbols and in numbers
     assert text.count("law of sines") == 1
     cab = math.degrees(math.asin(32 * math.sin(math.radians(acb)) / 40))
-    assert text.index(f"= {cab:.2f}°") < text.index(f"sin({cab:.2f}° + 29.02°)")  # the check alone needs it
+    oab = 180 - 75 - math.degrees(math.atan2(19.319, 34.824)) - cab
+    assert f"= {oab:.2f}°" in text and "∠CAB" not in text
+    assert f"sin(75° + {oab:.2f}°)" in text  # the check has the angle of AB with OC, exterior in the triangle of P
 
 
 @pytest.mark.parametrize(
