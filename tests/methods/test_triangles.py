@@ -134,3 +134,14 @@ def test_the_height_is_taken_at_the_end_where_one_sine_is_enough() -> None:
     assert f"= {abc:.2f}°" in text
     assert "∠ABC = arcsin(AP sin ∠P / AB)" in text
     assert "∠OAB = ∠ABC + ∠P" in text
+
+
+def test_a_perpendicular_may_fall_beyond_the_vertex() -> None:
+    # By hand: 33 + 61 cos 145 = -16.97, so H is beyond C, and OCA = 180 - arctan(34.99 / 16.97).
+    text = text_of("slotted_rocker", "rotating", OA=61, OC=33, CB=70, phi=145)
+    leg, height = -33 - 61 * math.cos(math.radians(145)), 61 * math.sin(math.radians(145))
+    assert "Drop the perpendicular AH to OC, produced beyond C:" in text
+    assert f"CH = −OC − OA cos φ = −33 − 61 · cos 145° = {leg:.2f} cm" in text
+    assert f"∠OCA = 180° − arctan(AH / CH) = 180° − arctan({height:.2f} / {leg:.2f})" in text
+    assert f"= {180 - math.degrees(math.atan2(height, leg)):.2f}°" in text
+    assert "horizontal" not in text and "vertical" not in text

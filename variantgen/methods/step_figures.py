@@ -187,7 +187,7 @@ def _feet(task: Task, step: Step) -> Iterator[MarkedFoot]:
     z = task.now.z
     for item in step.items:
         facts: Mapping[str, Fact] = item.facts if isinstance(item, Sentence) else {}
-        if isinstance(item, Sentence) and item.key == "position.perpendicular":
+        if isinstance(item, Sentence) and item.key.startswith("position.perpendicular"):
             down, to = facts["line"], facts["to"]
             assert isinstance(down, Segment)
             assert isinstance(to, Segment)

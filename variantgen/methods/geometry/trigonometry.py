@@ -55,9 +55,12 @@ class Angular(Protocol):
         """The acute angle between a segment and a line."""
 
     def foot(
-        self, start: str, on_line: str, end: str, along: Expression, across: Expression
+        self, start: str, on_line: str, end: str, along: Expression, across: Expression, beyond: bool
     ) -> tuple[Value, Value] | None:
-        """The named legs of the right triangle that a perpendicular to a line makes; None where that has no letters."""
+        """The named legs of the right triangle that a perpendicular to a line makes; None where that has no letters.
+
+        ``beyond`` tells that its foot is beyond the start, not on the side of the other point on the line.
+        """
 
     def projections(
         self, ends: tuple[str, str], axis: AngleForm, along: Expression, across: Expression
@@ -154,11 +157,14 @@ def direction_of(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) 
         return angle_of(geometry, axis.turned(left * (45.0 if ahead > 0 else 135.0)))
     if len(legs) == 2 and _are_equal(*legs):
         return angle_of(geometry, legs[0].form.plus(_turn(geometry, legs), 0.5))
-    axis, left = (axis, left) if ahead > 0 else (axis.turned(180.0), -left)
     start, end = ends
-    on_side = geometry.ahead_on(start, axis)
     foot = _foot(geometry, legs, ends)
-    corner = Applied("arctan", Ratio(across, along) if foot is None else Ratio(foot[1], foot[0]))
+    if ahead < 0 and foot is None:
+        axis, left, ahead = axis.turned(180.0), -left, -ahead
+    on_side = geometry.ahead_on(start, axis)
+    corner: Expression = Applied("arctan", Ratio(across, along) if foot is None else Ratio(foot[1], foot[0]))
+    if ahead < 0:  # the foot of the perpendicular is beyond the vertex
+        corner = Constant(180.0, "angle") - corner
     named: Expression = corner
     if len(legs) == 2 and reduced(geometry, "cos", legs[1].form.minus(legs[0].form))[0] == 0:
         geometry.say_triangle(ends, legs[0], "triangle_right")
@@ -185,8 +191,8 @@ def _foot(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) -> tupl
     ahead, along = positive(summed(projected(geometry, "cos", legs, axis)))
     _, across = positive(summed(projected(geometry, "sin", legs, axis)))
     oblique = isinstance(along, Total) and isinstance(across, Times)
-    on_side = geometry.ahead_on(ends[0], axis) if oblique and ahead > 0 else ""
-    return geometry.foot(ends[0], on_side, ends[1], along, across) if on_side else None
+    on_side = geometry.ahead_on(ends[0], axis) if oblique else ""
+    return geometry.foot(ends[0], on_side, ends[1], along, across, ahead < 0) if on_side else None
 
 
 def right_triangle(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) -> list[Leg]:
