@@ -87,9 +87,9 @@ class PositionLines(Layout):
         return self._corners.get((vertex, frozenset(map(self._named_place, (first, second)))))
 
     def _named_place(self, point: str) -> str:
-        """The first of the points in one place: under a pin lies a point of the slotted link."""
+        """The first of the points in one place: under a pin lies a point of the slotted link. A foot has its letter."""
         z = self.task.now.z
-        return next(name for name in z if z[name] == z[point])
+        return next(name for name in z if z[name] == z[point]) if point in z else point
 
     def foot(
         self, start: str, on_line: str, end: str, along: Expression, across: Expression, beyond: bool
