@@ -46,8 +46,8 @@ def rope_piece(scene: Scene, first: str, second: str) -> RopePiece | None:
     return next((piece for piece in rope_pieces(scene) if {*piece.ends} == {first, second}), None)
 
 
-def rope_speed(motion: Motion, piece: RopePiece) -> Field:
-    """The magnitude of the velocity of the rope along a piece (m/s), shape (N,).
+def rope_velocity(motion: Motion, piece: RopePiece) -> Field:
+    """The velocity of the rope along a piece (m/s), shape (N,), positive towards the last bend.
 
     At the first bend ``w_0 = u_0.v_0 - s_0 r_0 omega_0`` (of a drum; the end of a rope has no radius), behind a pulley
     with the velocity v ``w_j = w_(j-1) + (u_j - u_(j-1)).v``, as the rope keeps its speed relative to the pulley.
@@ -64,4 +64,9 @@ def rope_speed(motion: Motion, piece: RopePiece) -> Field:
         speed = speed - frame.sense * first.side * first.radius * motion.omega[first.body]
     for number in range(1, piece.number + 1):
         speed = speed + carried(rope.path[number], rays[number] - rays[number - 1])
-    return np.abs(speed)
+    return np.asarray(speed)
+
+
+def rope_speed(motion: Motion, piece: RopePiece) -> Field:
+    """The magnitude of the velocity of the rope along a piece (m/s), shape (N,)."""
+    return np.abs(rope_velocity(motion, piece))
