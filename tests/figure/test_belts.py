@@ -147,3 +147,15 @@ def test_the_speed_of_a_belt_as_an_arrow(side: str, tmp_path: Path) -> None:
     out, _ = strands(figure)
     way = (out[0] - out[1]) / abs(out[0] - out[1])
     assert arrow / abs(arrow) == pytest.approx(way)
+
+
+def test_the_base_of_a_small_pulley_stands_outside_its_rim(tmp_path: Path) -> None:
+    """A rim of 8 cm would cut a base as near to the hinge as usual, and its hatching."""
+    big, small = station("O", 15, "left", "A"), station("C", 8, "left", "B")
+    figure = picture(one_variant(scene(tmp_path, big, small, big))).drawing
+    axle, rim = 0.9 * figure.scale + figure.origin, 0.08 * figure.scale
+    lines = [line.points for line in figure.lines if isinstance(line, Line) and line.layer is Layer.SLIDER]
+    near = [ends for ends in lines if all(abs(end - axle) < 2 * rim for end in ends)]
+    # The legs lead to the axle, the base passes it.
+    (base,) = [distance(axle, (first, second)) for first, second in near if abs(distance(axle, (first, second))) > 1]
+    assert abs(base) > rim
