@@ -157,9 +157,9 @@ def collected(known: Sequence[tuple[int, Share]]) -> list[tuple[int, Expression]
     for group in groups:
         factor = group[0][1].factor
         if len(group) == 1 or factor is None:
-            found += [(sign, _share(share)) for sign, share in group]
+            found += [_written(sign, share) for sign, share in group]
             continue
-        sizes = [(sign, share.term.size) for sign, share in group if share.term.size is not None]
+        sizes = [_derivative(sign, share.term.size) for sign, share in group if share.term.size is not None]
         flip = 1 if sum(sign * size.exact for sign, size in sizes) >= 0 else -1
         inner = sorted(((flip * sign, size) for sign, size in sizes), key=lambda term: -term[0])
         found.append((flip, Total(tuple(inner)) * factor))
@@ -191,6 +191,20 @@ def _share(share: Share) -> Expression:
             f"more than one unknown vector is left: {share.term.name.kind} of {share.term.name.of}"
         )
     return share.size
+
+
+def _written(sign: int, share: Share) -> tuple[int, Expression]:
+    """A known projection as a sign and an expression, in which derivatives of coordinates have their own signs."""
+    own = _derivative(sign, share.term.size) if share.term.size is not None else (sign, _share(share))
+    return own[0], own[1] if share.factor is None else own[1] * share.factor
+
+
+def _derivative(sign: int, size: Value) -> tuple[int, Value]:
+    """A magnitude; where it is that of a negative derivative, whose symbol it would be written with, the derivative."""
+    match size.expression:
+        case Total(terms=((-1, Value(name=name) as own),)) if name is not None and name == size.name and name.dots:
+            return -sign, own
+    return sign, size
 
 
 def shares(terms: Sequence[Term], axis: Value) -> tuple[Share, ...]:
