@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import combinations
 from types import MappingProxyType
+from typing import Any
 
 from variantgen.algebra.expression import Constant, Expression, Pi, Value
 from variantgen.algebra.name import Name
@@ -55,6 +56,11 @@ class Task:
     def order(self) -> int:
         """1 if velocities are enough, 2 if accelerations are asked."""
         return motion_order(self.asked)
+
+    @cached_property
+    def remembered(self) -> dict[Hashable, Any]:
+        """What steps have worked out from this task alone, by keys of their own."""
+        return {}
 
     @cached_property
     def motion(self) -> Motion:
@@ -119,7 +125,7 @@ class Task:
     def size(self) -> float:
         """Size of the mechanism, in the printed unit of length; of a single point its way to the origin, or 1."""
         places = list(self.now.z.values())
-        return max(abs(p - q) for p in places for q in places) or abs(places[0]) or 1.0
+        return max((abs(p - q) for p, q in combinations(places, 2)), default=0.0) or abs(places[0]) or 1.0
 
     @cached_property
     def largest_speed(self) -> float:
