@@ -45,6 +45,8 @@ class AngleForm:
         found = dict(self.parts)
         for atom, coefficient in other.parts:
             found[atom] = found.get(atom, 0.0) + factor * coefficient
+        if len(found) == len(self.parts):  # in their order already
+            return AngleForm(tuple([part for part in found.items() if part[1] != 0]), constant)
         return form_of(found.items(), constant)
 
     def minus(self, other: AngleForm) -> AngleForm:

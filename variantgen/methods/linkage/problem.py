@@ -42,17 +42,17 @@ class Task:
     asked: tuple[Quantity, ...]
     now: Instant
 
-    @property
+    @cached_property
     def form(self) -> Form:
         """The form of the variant's family."""
         return self.variant.form
 
-    @property
+    @cached_property
     def scene(self) -> Scene:
         """The scene of the variant (numbers in SI)."""
         return self.now.scene
 
-    @property
+    @cached_property
     def order(self) -> int:
         """1 if velocities are enough, 2 if accelerations are asked."""
         return motion_order(self.asked)
@@ -72,7 +72,7 @@ class Task:
         """The plain quantities that the asked ones are, or are made of; none where positions alone are asked."""
         return tuple(dict.fromkeys(source for quantity in self.asked for source in quantity.sources(self.scene)))
 
-    @property
+    @cached_property
     def at(self) -> Placement:
         """Positions in printed units, with the frame."""
         return Placement(self.now.z, self.scene.frame)
@@ -87,7 +87,7 @@ class Task:
         """Positions in SI, as the numbers of the scene are."""
         return Placement({point: z * self.length_unit for point, z in self.now.z.items()}, self.scene.frame)
 
-    @property
+    @cached_property
     def fixed(self) -> frozenset[str]:
         """Points at rest."""
         return self.linkage.resting
@@ -146,7 +146,7 @@ class Task:
         values = self.form.values({name: self.variant.si(name) for name in self.form.parameters})
         return {name: float(value) for name, value in values.items()}
 
-    @property
+    @cached_property
     def length_unit(self) -> float:
         """The printed unit of length in metres."""
         return float(unit(self.variant.family.length_unit).factor)

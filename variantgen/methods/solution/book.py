@@ -6,7 +6,6 @@ import cmath
 import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from copy import copy
 from dataclasses import dataclass, field
 from typing import Protocol
 
@@ -90,8 +89,8 @@ class Book:
 
     def at(self, order: int, carry: Callable[[Book, str, str, str], None] | None = None) -> Book:
         """The same book, with all that is written in it now and later, for velocities (1) or accelerations (2)."""
-        book = copy(self)
-        book.order, book.carry = order, carry
+        book = Book.__new__(Book)
+        vars(book).update(vars(self), order=order, carry=carry)
         return book
 
     # What is known, at the order that is worked out.
