@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from variantgen.algebra.expression import Applied, Constant, Expression, Times, Total
+from variantgen.algebra.expression import Applied, Constant, Expression, Times, Total, Value
 from variantgen.methods.steps.not_applicable import NotApplicableError
 from variantgen.methods.steps.step import Share
 
@@ -24,9 +24,9 @@ def collected(known: Sequence[tuple[int, Share]]) -> list[tuple[int, Expression]
     for group in groups:
         factor = group[0][1].factor
         if len(group) == 1 or factor is None:
-            found += [(sign, projection_of(share)) for sign, share in group]
+            found += [_written(sign, share) for sign, share in group]
             continue
-        sizes = [(sign, share.term.size) for sign, share in group if share.term.size is not None]
+        sizes = [_derivative(sign, share.term.size) for sign, share in group if share.term.size is not None]
         flip = 1 if sum(sign * size.exact for sign, size in sizes) >= 0 else -1
         inner = sorted(((flip * sign, size) for sign, size in sizes), key=lambda term: -term[0])
         found.append((flip, Total(tuple(inner)) * factor))
@@ -71,3 +71,17 @@ def projection_of(share: Share) -> Expression:
             f"more than one unknown vector is left: {share.term.name.kind} of {share.term.name.of}"
         )
     return share.size
+
+
+def _written(sign: int, share: Share) -> tuple[int, Expression]:
+    """A known projection as a sign and an expression, in which derivatives of coordinates have their own signs."""
+    own = _derivative(sign, share.term.size) if share.term.size is not None else (sign, projection_of(share))
+    return own[0], own[1] if share.factor is None else own[1] * share.factor
+
+
+def _derivative(sign: int, size: Value) -> tuple[int, Value]:
+    """A magnitude; where it is that of a negative derivative, whose symbol it would be written with, the derivative."""
+    match size.expression:
+        case Total(terms=((-1, Value(name=name) as own),)) if name is not None and name == size.name and name.dots:
+            return -sign, own
+    return sign, size
