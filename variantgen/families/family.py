@@ -9,7 +9,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from variantgen.families.course import FormInTime, Interval
+from variantgen.families.course import FormByPlace, FormInTime, Interval
 from variantgen.families.figure_hints import FigureHints
 from variantgen.families.machine import Machine
 from variantgen.families.parameters.draw_rules import HandFriendly, Pose, Screens, TiedValues
@@ -102,11 +102,13 @@ class Form:
             self._course(values, frame) if self.interval else None,
         )
 
-    def _course(self, values: Mapping[str, Real], frame: Frame) -> FormInTime:
+    def _course(self, values: Mapping[str, Real], frame: Frame) -> FormInTime | FormByPlace:
         """The motion in the interval of time."""
         assert self.interval is not None, "there is an interval"
         start, end = (expression.value(values) for expression in (self.interval.start, self.interval.end))
         parameters = {name: values[name] for name in self.parameters}
+        if self.interval.is_of_place:
+            return FormByPlace(self, self.interval.time, parameters, frame, start, end)
         return FormInTime(self, self.interval.time, parameters, frame, start, end)
 
     @cached_property

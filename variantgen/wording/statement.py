@@ -139,12 +139,21 @@ def _text(case: _Case) -> Text:
     variant, language = case.variant, case.language
     if variant.family.folder is None:
         words = language.words("sheet")
-        begun = words["law_scene" if case.form.laws else "scene"]
+        begun = words[_scene_words(case.form)]
+        if any(law.rate is not None and law.rate.start is not None for law in case.form.laws.values()):
+            begun = f"{begun} {words['law_start']}"
         if not any(quantity.is_of_interval for quantity in case.asked):
             return (begun,)
-        before, _, after = words["interval"].partition("{interval}")
+        by_place = case.form.interval is not None and case.form.interval.is_of_place
+        before, _, after = words["interval_by_place" if by_place else "interval"].partition("{interval}")
         return (f"{begun} {before}", interval_of(variant, language), after)
     return _filled(case, load_template(template_path(variant, language)))
+
+
+def _scene_words(form: Form) -> str:
+    """The key of the words for a scene: without laws, with laws of time, with the velocity by the place."""
+    by_place = any(law.rate is not None and law.rate.is_by_place for law in form.laws.values())
+    return "law_scene_by_place" if by_place else "law_scene" if form.laws else "scene"
 
 
 @lru_cache(maxsize=1000)

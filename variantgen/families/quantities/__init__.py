@@ -39,6 +39,7 @@ name                      meaning
 ``average_v_B``           displacement through the time, ``average_a_B`` change of the velocity through the time
 ``turned_AB``             angle by which a body turns in the interval, positive counter-clockwise
 ``t_back_B``              instant at which a point is first again where it was at the beginning
+``duration_B``            time of the interval, where the laws state it by its places
 ========================  ======================================================================================
 
 What there is of a kind is told by one table: :data:`variantgen.families.quantities.kinds.KINDS`.

@@ -24,7 +24,7 @@ from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import is_quantity, quantity_names
 from variantgen.families.reading.driven_laws import check_driven, with_accelerations
 from variantgen.families.reading.implied import with_blocks, with_stations
-from variantgen.families.reading.law_reader import check_interval, read_interval, read_laws
+from variantgen.families.reading.law_reader import check_interval, check_laws, place_of, read_interval, read_laws
 from variantgen.families.reading.soundness import check_constants
 from variantgen.families.templates import TemplateReader
 from variantgen.limits import DERIVED, GRID, PARAMETERS, PARTS
@@ -80,8 +80,8 @@ class FormReader:
         self._read_derived(self.top.table("derived"))
         known = len(self.problems)
         laws = self.top.table("laws")
-        self.laws = read_laws(self, laws, self.top.data, self._length)
-        interval = read_interval(laws, self._templates.quantity)
+        self.laws = read_laws(self, laws, self.top.data, self._length, self._templates.quantity, self._sample())
+        interval = read_interval(laws, self._templates.quantity, self.dimensions)
         if len(self.problems) > known:  # what uses a wrong law would only repeat that it is unknown
             return None
         points = self._templates.points(self.top.table("points"))
@@ -136,11 +136,21 @@ class FormReader:
             check_constants(form)
             _ = form.plan
             if self.laws:
-                check_driven(form, self.top.data["laws"]["time"])
+                check_laws(form)
+                check_driven(
+                    form, self.top.data["laws"].get("time") or place_of(self.top.data["laws"], self.dimensions)
+                )
             if interval:
                 check_interval(form)
             self._check_ask(form)
         return form if len(self.problems) == before else None
+
+    def _sample(self) -> dict[str, float]:
+        """Values (SI) from the middle of the parameters, with what is derived of them."""
+        found = {name: float(p.si[len(p.si) // 2]) for name, p in self.parameters.items()}
+        for name, expression in self.derived.items():
+            found[name] = float(expression.value(found))
+        return found
 
     def _check_headings(self) -> None:
         """What is meant for the whole form does not stand below the heading of a table of names."""

@@ -34,6 +34,8 @@ def law_behind(task: Task, source: FamilyExpression) -> Expression | None:
 def is_uniformly_accelerated(form: Form, source: FamilyExpression) -> bool:
     """Whether the second derivative of the law behind an expression holds no time."""
     name = _law_of(form, source)
+    if name and form.derived[f"{name}_ddot"].names & form.derived.keys():
+        return False  # it depends on the place or the velocity
     used = form.derived[f"{name}_ddot"].names & set(form.parameters) if name else set()
     units = [form.parameters[own].unit for own in used]
     return bool(name) and not any(unit is not None and unit.dimension == _TIME for unit in units)

@@ -144,6 +144,8 @@ def amount(book: Book, template: ComponentTemplate, key: str, measure: str) -> V
     expression = unsigned(book.task.expressed(source))
     if isinstance(expression, Value) and expression.measure == measure:  # not the time t, a derivative of t^2 / 2
         name = _name_of(book, template, key)
+        if expression.exact < 0:  # a law that has been integrated goes backwards
+            return book.derive(name, measure, Magnitude(expression))
         if expression.expression is None or name.kind not in _RATES or _is_letter_of_rate(expression):
             return expression
         return book.derive(name, measure, expression.expression)  # n in rpm is no angular velocity
