@@ -17,7 +17,8 @@ from variantgen.mechanism.scene import Scene
 
 _PRECISE, _NOTHING = 1e-12, 1e-15  # relative and absolute error of a step
 _FAR = 1e3  # times the places of the interval: what goes so far goes away
-_LONGEST = 1e6  # times the interval through the mean velocity of its ends: what takes longer never comes
+_STEPS = 4  # of that time, at least
+_LONGEST = 1e3  # times the interval through the velocities of its ends: what takes longer never comes
 
 
 @dataclass(frozen=True)
@@ -194,11 +195,13 @@ class _Ways:
         fastest = abs(velocity) + abs(float(self._course.rates(row, last)[0]))
         if fastest == 0:
             return float("inf")
+        usual = abs(last - first) / fastest
         with np.errstate(all="ignore"):
             found = solve_ivp(
                 slope,
-                (0.0, 2 * _LONGEST * abs(last - first) / fastest),
+                (0.0, _LONGEST * usual),
                 [first, velocity],
+                max_step=usual / _STEPS,  # both passages of a place where it turns back never lie within a step
                 method="DOP853",
                 rtol=_PRECISE,
                 atol=_NOTHING,

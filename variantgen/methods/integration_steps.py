@@ -5,6 +5,7 @@ from __future__ import annotations
 from variantgen.algebra.expression import Constant, Expression, Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import simplified
+from variantgen.algebra.values import parts
 from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.families.parameters.laws import Law
 from variantgen.families.parameters.rate_law import RateLaw
@@ -14,6 +15,7 @@ from variantgen.methods.linkage.problem import Task
 from variantgen.methods.steps.step import EquationLine, Fact, Item, NumberOf, Sentence, Step
 
 _CONSTANTS = ("C", "C_1", "C_2")
+_DIGITS = 6  # of a constant
 _STEADY = "direct"  # a velocity that is given by the place needs no integration
 
 
@@ -67,7 +69,10 @@ def _lines(task: Task, rate: RateLaw, lines: list[tuple[Expression, Expression]]
 
     def shown(item: Expression) -> Expression | None:
         found = task.expressed(FamilyExpression("", item), known=known)
-        return found if found is None or isinstance(found, Constant | Value) else simplified(found)
+        if found is None or isinstance(found, Value):
+            return found
+        # A constant of integration is a number; what it is made of is seen in the file.
+        return simplified(found) if parts(found) else Constant(float(f"{found.number(True):.{_DIGITS}g}"))
 
     sides = [(shown(left), shown(right)) for left, right in lines]
     return [EquationLine(left, right) for left, right in sides if left is not None and right is not None]

@@ -85,6 +85,10 @@ class PlainLaws:
         self._time, self._fed, self._length = time, fed, length
         self._plain: dict[str, FamilyExpression] = {}
 
+    def know(self, name: str, number: FamilyExpression) -> None:
+        """Let laws name another one, or a place, by its plain number."""
+        self._plain[name] = number
+
     def measured(
         self, name: str, law: FamilyExpression, named: Unit | None, dimensions: Mapping[str, Dimension]
     ) -> MeasuredLaw | None:

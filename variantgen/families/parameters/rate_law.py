@@ -16,6 +16,7 @@ from variantgen.families.parameters.expressions import FamilyExpression
 
 _DIGITS = 12  # of a number that is worked out when the law is read
 _ZERO = Constant(0.0)
+_KEPT = ("deg", "pi")  # in a formula these say more than their numbers
 
 
 @dataclass(frozen=True)
@@ -260,6 +261,8 @@ def _folded(item: Maybe) -> Maybe:
     if item is None or FamilyExpression("", item).names:
         return item
     value = _short(float(FamilyExpression("", item).value({})))
+    if value and any(has(item, name) for name in _KEPT):
+        return item
     return Constant(value) if value else None
 
 

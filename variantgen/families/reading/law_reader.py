@@ -81,6 +81,8 @@ def read_laws(
         with table.collecting(name):
             if (read := rates.read(table, name)) is not None:
                 found[name] = read.law
+                if read.plain is not None:
+                    plain.know(name, read.plain)
                 _define(form, name, read, time)
                 if read.place is None or isinstance(read.place, SolvedLaw):
                     alone.append(name)

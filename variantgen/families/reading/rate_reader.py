@@ -49,6 +49,7 @@ class ReadRate(NamedTuple):
     place: FamilyExpression | None
     velocity: FamilyExpression | None
     acceleration: FamilyExpression | None
+    plain: FamilyExpression | None  # its plain number, where it has one
 
 
 def is_rate_law(value: Any) -> bool:
@@ -176,6 +177,8 @@ class RateReader:
             return Constant(float(stated.value({}))) if stated.measures else stated.tree
         suffix = "" if dimension in ("length", "angle") else "/s"
         if not isinstance(value, str) or is_number(value):
+            if dimension == "angle" and measure.name == "rad" and "deg" in str(value):
+                return Times((Constant(float(parse_value(str(value), unit("deg"), key))), Variable("deg")))
             return Constant(float(parse_value(str(value), unit(measure.name + suffix), key)))
         return _over(self._quantity(dimension, value).tree, measure)
 
@@ -195,7 +198,9 @@ class RateReader:
         if law.order == 1 and not of_time:
             velocity = stated
         acceleration = stated if law.order == 2 and not of_time else None
-        return ReadRate(Law(law.unit, is_length, law, found), place, velocity, acceleration)
+        own = found.value if of_time or found.way == "antiderivative" else _over(Variable(law.name), measure)
+        plain = None if measure is None or own is None else FamilyExpression(text, own)
+        return ReadRate(Law(law.unit, is_length, law, found), place, velocity, acceleration, plain)
 
     def _in_si(self, law: RateLaw, tree: Expression, measure: Unit | None) -> Expression:
         if measure is None:
@@ -225,8 +230,10 @@ class RateReader:
         return None if law.is_by_place else place, velocity if law.order == 2 else None
 
 
-def _over(tree: Expression, measure: Unit) -> Expression:
-    """A quantity in SI as a plain number in a unit."""
+def _over(tree: Expression, measure: Unit | None) -> Expression:
+    """A quantity in SI as a plain number in a unit; as it is without one."""
+    if measure is None:
+        return tree
     if measure.measures == "length":
         return Ratio(tree, Variable("inch" if measure.name == "in" else measure.name))
     return tree if measure.size == 1.0 else Ratio(tree, Constant(measure.size))

@@ -56,10 +56,10 @@ def rate_of_law(task: Task, source: FamilyExpression) -> tuple[Value, Expression
     if rate is None:
         return None
     (law, dots), rate = names[found[0]], simplified(rate)
-    measure = ("velocity", "acceleration")[dots - 1]
+    measure, scale = (("velocity", task.largest_speed), ("acceleration", task.largest_acceleration))[dots - 1]
     if not task.form.laws[law].is_length:
-        measure = f"angular {measure}"
-    value = Value(Name("parameter", law, dots=dots), measure, rate.number(True), rate)
+        measure, scale = f"angular {measure}", scale / task.size
+    value = Value(Name("parameter", law, dots=dots), measure, rate.number(True), rate, scale)
     by_letter = task.expressed(source, known={found[0]: value})
     return None if by_letter is None else (value, simplified(by_letter))
 

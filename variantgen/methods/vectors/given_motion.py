@@ -215,6 +215,11 @@ def _say_law(book: Book, template: ComponentTemplate, source: FamilyExpression) 
     facts: dict[str, Fact] = (
         {"point": Point(point)} if isinstance(point, str) else {"body": Body(template.fields["body"])}
     )
+    places = [name for name, own in book.task.form.laws.items() if own.rate is not None and own.rate.is_by_place]
+    if places:
+        place = Name("parameter", places[0])
+        book.say("given.law_by_place", False, place=place, velocity=place._replace(dots=1))
+        return
     uniform = isinstance(point, str) and is_uniformly_accelerated(book.task.form, source)
     book.say("given.law_" + ("s_uniform" if uniform else "s" if isinstance(point, str) else "phi"), False, **facts)
     if isinstance(point, str) and rate_of_law(book.task, source) is None:  # the statement has no letter for it
