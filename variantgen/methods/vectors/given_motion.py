@@ -21,9 +21,9 @@ from variantgen.mechanism.scene import label
 from variantgen.methods.geometry.geometry import Geometry, degrees, normal_angle
 from variantgen.methods.groups.group import PointPath
 from variantgen.methods.groups.route import Route
-from variantgen.methods.linkage.time_laws import is_uniformly_accelerated, law_behind, rate_of_law
+from variantgen.methods.linkage.time_laws import is_uniformly_accelerated, law_behind, law_of, places, rate_of_law
 from variantgen.methods.solution.book import Book, Known, Rate, resultant
-from variantgen.methods.steps.step import Body, Derived, Fact, Point, Term
+from variantgen.methods.steps.step import Body, Derived, Fact, Point, Segment, Term
 from variantgen.methods.vectors.point_paths import on_path
 from variantgen.methods.vectors.points import sum_up
 
@@ -211,15 +211,19 @@ def _say_law(book: Book, template: ComponentTemplate, source: FamilyExpression) 
     law = law_behind(book.task, source)
     if law is None:
         return
+    if by := places(book.task.form):
+        if law_of(book.task.form, source) in by:
+            return
+        place = Name("parameter", by[0])
+        book.say("given.law_by_place", False, place=place, velocity=place._replace(dots=1))
+        return
+    if template.component is Extension:
+        book.say("given.law_d", False, segment=Segment(template.fields["start"], template.fields["end"]))
+        return
     point = template.fields.get("point")
     facts: dict[str, Fact] = (
         {"point": Point(point)} if isinstance(point, str) else {"body": Body(template.fields["body"])}
     )
-    places = [name for name, own in book.task.form.laws.items() if own.rate is not None and own.rate.is_by_place]
-    if places:
-        place = Name("parameter", places[0])
-        book.say("given.law_by_place", False, place=place, velocity=place._replace(dots=1))
-        return
     uniform = isinstance(point, str) and is_uniformly_accelerated(book.task.form, source)
     book.say("given.law_" + ("s_uniform" if uniform else "s" if isinstance(point, str) else "phi"), False, **facts)
     if isinstance(point, str) and rate_of_law(book.task, source) is None:  # the statement has no letter for it
