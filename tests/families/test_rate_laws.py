@@ -286,6 +286,18 @@ def test_a_sheet_tells_the_rate_and_the_start(tmp_path: Path, capsys: pytest.Cap
     assert main(["check", path]) == 0
 
 
+@pytest.mark.parametrize("parameter", [BY_TIME, BY_PLACE])
+def test_an_acceleration_is_told_where_velocities_depend_on_it(
+    parameter: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    parameters = f'{parameter}\na_0 = {{ unit = "m/s^2", values = [3] }}'
+    path = _written(tmp_path, 'a = "a_0", start = { s = "0 m", v = "1 m/s" }', parameters)
+    assert main(["show", path, "--ask", "v_B"]) == 0
+    shown = _plain(capsys)
+    assert "a_0 = 3 m/s²" in shown
+    assert f"v_B = {7 if parameter == BY_TIME else '3.606'} m/s" in shown  # 1 + 3 * 2, the root of 1 + 2 * 3 * 2
+
+
 @pytest.mark.parametrize(
     ("law", "parameter", "key", "said"),
     [
@@ -298,6 +310,7 @@ def test_a_sheet_tells_the_rate_and_the_start(tmp_path: Path, capsys: pytest.Cap
         ('a = "-4*s", start = { s = 0, v = 3 }', BY_PLACE, "laws.s", "square of its velocity is negative"),
         ("v = 1, a = 2, start = { s = 0 }", BY_TIME, "laws.s", "one rate"),
         ('omega = "2"', BY_PLACE, "laws.s", "an angle"),
+        ('v = "2*v", start = { s = 0 }', BY_TIME, "laws.s", "cannot depend on itself"),
         ('v = "6*q", start = { s = 0 }', BY_TIME, "laws.s", "unknown name"),
         ('v = "2*t^2*m", start = { s = 0 }', BY_TIME, "laws.s", "expected a velocity"),
         ('v = "t", unit = "deg", start = { s = 0 }', BY_TIME, "laws.s.unit", "unit of length"),

@@ -17,6 +17,8 @@ from variantgen.mechanism.scene import Scene
 
 _PRECISE, _NOTHING = 1e-12, 1e-15  # relative and absolute error of a step
 _FAR = 1e3  # times the places of the interval: what goes so far goes away
+_SHARES = (0.0, 0.137, 0.381, 0.618, 0.871, 1.0)  # of the way: with one acceleration there it is the same all along
+_SAME = 1e-14  # relative
 _STEPS = 4  # of that time, at least
 _LONGEST = 1e3  # times the interval through the velocities of its ends: what takes longer never comes
 
@@ -159,17 +161,19 @@ class _Ways:
         self._size = max(sizes)
         self._course = course
         self._first, self._last = (np.broadcast_to(end, (self._size,)) for end in (course.first, course.last))
-        velocity, acceleration = (
-            np.broadcast_to(rate, (self._size,)) for rate in course.rates(course.parameters, course.first)
+        places = [self._first + share * (self._last - self._first) for share in _SHARES]
+        rates = [course.rates(course.parameters, place) for place in places]
+        velocities, accelerations = (
+            np.array([np.broadcast_to(np.asarray(rate[k], dtype=float), (self._size,)) for rate in rates])
+            for k in (0, 1)
         )
-        middle = course.rates(course.parameters, 0.5 * (course.first + course.last))[1]
-        steady = (acceleration == 0) & np.equal(middle, 0)
-        with np.errstate(all="ignore"):
-            end = np.where(steady, (self._last - self._first) / velocity, np.inf)
-        self._velocity, self._steady = velocity, steady
+        self._velocity, self._acceleration = velocities[0], accelerations[0]
+        uniform = np.ptp(accelerations, axis=0) <= _SAME * np.max(np.abs(accelerations), axis=0)
+        with np.errstate(all="ignore"):  # by the mean of both velocities
+            end = np.where(uniform, 2.0 * (self._last - self._first) / (velocities[0] + velocities[-1]), np.inf)
         self._solved: dict[int, Any] = {}
-        for variant in np.flatnonzero(~steady).tolist():
-            end[variant] = self._follow(variant, float(velocity[variant]))
+        for variant in np.flatnonzero(~uniform).tolist():
+            end[variant] = self._follow(variant, float(self._velocity[variant]))
         self.end = np.where(end > 0, end, np.inf)
 
     def _row(self, variant: int) -> dict[str, float]:
@@ -213,7 +217,8 @@ class _Ways:
 
     def places(self, variants: NDArray[np.intp], times: NDArray[np.float64]) -> NDArray[np.float64]:
         """The places (SI) of variants at instants (s), shape (M,) each."""
-        found: NDArray[np.float64] = self._first[variants] + self._velocity[variants] * times
+        rate = self._velocity[variants] + 0.5 * self._acceleration[variants] * times
+        found: NDArray[np.float64] = self._first[variants] + rate * times
         for variant in np.unique(variants).tolist():
             if variant in self._solved:
                 own = np.flatnonzero(variants == variant)

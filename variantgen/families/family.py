@@ -122,8 +122,10 @@ class Form:
 
     @cached_property
     def of_accelerations_alone(self) -> frozenset[str]:
-        """Parameters on which only accelerations depend: those of second order that are in no law of time."""
-        in_laws = set(self.laws)
+        """Parameters on which only accelerations depend: those of second order that are in no law of time, nor in an
+        acceleration by which a law gives the velocity.
+        """
+        in_laws = set(self.laws) | {f"{name}_dot" for name, law in self.laws.items() if law.rate is not None}
         for name, expression in reversed(list(self.derived.items())):
             in_laws |= expression.names if name in in_laws else set()
         second = {name for name, parameter in self.parameters.items() if parameter.of_second_order}

@@ -130,8 +130,6 @@ class _RateEquations:
         if not isinstance(item, Constant):
             return _formula(item, self._language, self._form.symbols)
         own = unit("s" if order is None else self._units[order])
-        if own.name == "rad":
-            own = unit("deg")
         value = item.value if order is None else own.from_si(item.value * self._scale)
         return Measured(_number(value, self._language), self._language.unit(own))
 

@@ -91,6 +91,12 @@ class RateReader:
             remedy = 'or state the parameter that is the instant: time = "t"'
             raise InputError(Problem(said, value=name, remedy=remedy))
         written = self._written(name, key, table.data[key])
+        if order == 1 and f"{name}_dot" in written.names:
+            said, remedy = (
+                "a velocity cannot depend on itself",
+                "state it by the time and the place, or an acceleration",
+            )
+            raise InputError(Problem(said, value=written.text, remedy=remedy))
         plain = self._is_plain(written, name)
         measure = self._unit(table, is_length) if plain or "unit" in table.data else None
         if measure is not None and not plain:
