@@ -152,8 +152,10 @@ def _text(case: _Case) -> Text:
 
 def _scene_words(form: Form) -> str:
     """The key of the words for a scene: without laws, with laws of time, with the velocity by the place."""
-    by_place = any(law.rate is not None and law.rate.is_by_place for law in form.laws.values())
-    return "law_scene_by_place" if by_place else "law_scene" if form.laws else "scene"
+    by_place = [law for law in form.laws.values() if law.rate is not None and law.rate.is_by_place]
+    if by_place:
+        return "law_scene_by_place" if by_place[0].is_length else "law_scene_by_angle"
+    return "law_scene" if form.laws else "scene"
 
 
 @lru_cache(maxsize=1000)

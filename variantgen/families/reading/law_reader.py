@@ -23,6 +23,7 @@ from variantgen.families.parameters.units import UNITS, Unit
 from variantgen.families.reading.rate_reader import Quantity, RateReader, ReadRate, is_rate_law, rates_of
 from variantgen.tables import Table
 
+_BETWEEN = 64  # values of the variable between the start of a law and the instant
 _OWN = ("time", "interval")  # keys of the table that are no laws
 _Stated = tuple[FamilyExpression, Unit | None]  # a law as it is written, and the unit beside it
 
@@ -199,20 +200,17 @@ def check_laws(form: Form) -> None:
             continue
         values = form.values({given: float(p.si[len(p.si) // 2]) for given, p in form.parameters.items()})
         if not _comes_so_far(form, law, law.rate, values):
-            said, at = "does not come from its start to the instant of the problem", values[law.rate.variable]
+            at = values[law.rate.variable]
+            said = "does not come from its start to the instant of the problem"
             if law.rate.is_by_place:
-                said = (
-                    "does not come from its start to the place of the problem: the square of its velocity is negative"
-                )
-            remedy = "check the signs, or take a value nearer to the start"
-            problems.append(
-                Problem(said, key=f"laws.{name}", value=f"{law.rate.variable} = {at:.6g} (SI)", remedy=remedy)
+                said = "does not come from its start to the place of the problem: its velocity comes to zero before"
+            stated, remedy = (
+                f"{law.rate.variable} = {at:.6g} (SI)",
+                "check the signs, or take a value nearer to the start",
             )
+            problems.append(Problem(said, key=f"laws.{name}", value=stated, remedy=remedy))
     if problems:
         raise InputError(problems)
-
-
-_BETWEEN = 64  # values of the variable between start and instant
 
 
 def _comes_so_far(form: Form, law: Law, rate: RateLaw, values: Mapping[str, float]) -> bool:

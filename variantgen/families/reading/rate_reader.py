@@ -90,15 +90,13 @@ class RateReader:
             said = f"expected the name of a parameter that is {'a length' if is_length else 'an angle'}, the place"
             remedy = 'or state the parameter that is the instant: time = "t"'
             raise InputError(Problem(said, value=name, remedy=remedy))
-        written = self._written(name, key, table.data[key])
+        stated = self._unit(table, is_length)
+        written = self._written(name, key, table.data[key], stated)
         if order == 1 and f"{name}_dot" in written.names:
-            said, remedy = (
-                "a velocity cannot depend on itself",
-                "state it by the time and the place, or an acceleration",
-            )
-            raise InputError(Problem(said, value=written.text, remedy=remedy))
+            remedy = "state it by the time and the place, or an acceleration"
+            raise InputError(Problem("a velocity cannot depend on itself", value=written.text, remedy=remedy))
         plain = self._is_plain(written, name)
-        measure = self._unit(table, is_length) if plain or "unit" in table.data else None
+        measure = stated if plain or "unit" in table.data else None
         if measure is not None and not plain:
             raise InputError(
                 Problem("uses parameters, which have units of their own", value=written.text, remedy="leave unit out")
@@ -110,12 +108,14 @@ class RateReader:
         law = RateLaw(name, name if by_place else self._time, order, written.tree, own, start, written.text)
         return self._made(law, measure, is_length, written.text)
 
-    def _written(self, name: str, key: str, value: Any) -> FamilyExpression:
-        """The rate as an expression, in which v (omega) is the velocity of the law itself; a number with its unit."""
+    def _written(self, name: str, key: str, value: Any, measure: Unit) -> FamilyExpression:
+        """The rate as an expression, in which v (omega) is the velocity of the law itself; a number with its unit as
+        one of the law's.
+        """
         if not isinstance(value, str):
             value = str(value)
         elif is_number(value):
-            own = unit((self._length if key in ("v", "a") else "rad") + ("/s", "/s^2")[_RATES[key] - 1])
+            own = unit(measure.name + ("/s", "/s^2")[_RATES[key] - 1])
             return FamilyExpression(value, Constant(float(parse_value(value, own, key))))
         found = parse(value)
         letter = "v" if key in ("v", "a") else "omega"
