@@ -9,8 +9,10 @@ from collections.abc import Callable
 from pathlib import Path
 
 import mpmath
+import numpy as np
 import pytest
 
+import variantgen
 from variantgen.cli import main
 
 SCENE = """
@@ -329,3 +331,18 @@ def test_an_interval_against_the_motion_is_refused(tmp_path: Path, capsys: pytes
     path = _written(tmp_path, "v = 5", BY_PLACE, "interval = [3, 1]")
     assert main(["solve", path, "--ask", "duration_B"]) == 2
     assert "laws.interval: s does not come from its first value to its last one" in capsys.readouterr().err
+
+
+def test_a_batch_of_laws_that_are_integrated_numerically(tmp_path: Path) -> None:
+    """``dv^2/ds = 2 (c - 0.02 v^2)`` from rest, for several accelerations and places at once."""
+    parameters = (
+        's = { unit = "m", values = [1, 2, 3, 5] }\nc = { unit = "m/s^2", values = [4, 8, 9.81] }\n'
+        'h = { unit = "m", values = [50] }'
+    )
+    path = _written(tmp_path, 'a = "c - v^2 / h", start = { s = 0, v = 0 }', parameters)
+    found = variantgen.batch(path, 12, 1, ask=["v_B", "a_B"])
+    place, c = (np.asarray(found.parameters[name]) for name in ("s", "c"))
+    square = 50 * c * (1 - np.exp(-place / 25))
+    assert len(set(zip(place.tolist(), c.tolist(), strict=True))) > 3
+    assert np.asarray(found.answers["v_B"]) == pytest.approx(np.sqrt(square), rel=1e-9)
+    assert np.asarray(found.answers["a_B"]) == pytest.approx(c - square / 50, rel=1e-9)
