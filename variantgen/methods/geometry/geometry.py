@@ -42,7 +42,9 @@ class Geometry(PositionLines):
         super().__init__(task)
         self._lengths: dict[frozenset[str], Value] = {}
         self._directions: dict[tuple[str, str], Value] = {}
-        stated = literal_radii(task.form).items()
+        # A sheet of a family names the radii that it gives.
+        places = task.in_metres.z if task.variant.family.folder is None else {}
+        stated = literal_radii(task.form, places).items()
         self.unnamed_radii = UnnamedRadii({body: [r / task.length_unit for r in radii] for body, radii in stated})
         self._shown: dict[AngleForm, Value] = {}  # directions by given angles that have a line
         self._coordinates: dict[str, Pair] = {}
