@@ -35,7 +35,7 @@ _RANK = 5e-3  # of the largest singular value
 
 
 @dataclass(frozen=True)
-class SceneNumber:
+class StatedNumber:
     """A number of the file: its value (SI), what it measures ("" nothing), and the places that have it together."""
 
     value: float
@@ -49,7 +49,7 @@ class SceneNumber:
         return ", ".join(self.names)
 
 
-def undetermined(variant: Variant, asked: Sequence[Quantity]) -> Iterator[tuple[SceneNumber, list[str]]]:
+def undetermined(variant: Variant, asked: Sequence[Quantity]) -> Iterator[tuple[StatedNumber, list[str]]]:
     """The numbers of a scene that its sheet leaves open, each with the names of the answers that depend on it."""
     motion = solve_variants([variant], 0)
     size = float(motion.length_scale()[0])
@@ -59,18 +59,20 @@ def undetermined(variant: Variant, asked: Sequence[Quantity]) -> Iterator[tuple[
         return
     language = load_language(languages()[0])
     printed = _printed(variant, asked, language)
-    told: list[dict[str, float]] = []
+    seen_rates: list[dict[str, float]] = []
     answers: list[list[float]] = []
     for i, number in enumerate(numbers):
         ahead, behind = (_changed(variant, number, sign * _CHANGE, size) for sign in (1, -1))
         sheets = [_printed(other, asked, language) for other in (ahead, behind)]
         if any(sheet.keys() != printed.keys() for sheet in sheets):  # another datum on the sheet: it is seen
-            told.append({str(i): 1.0})
+            seen_rates.append({str(i): 1.0})
         else:
-            told.append(_rates(sheets[0], sheets[1], printed))
+            seen_rates.append(_rates(sheets[0], sheets[1], printed))
         answers.append(_answer_rates(ahead, behind, asked))
-    lines = dict.fromkeys(name for rates in told for name in rates)
-    sheet = np.array([[rates.get(name, 0.0) for rates in told] for name in lines]).reshape(len(lines), len(numbers))
+    lines = dict.fromkeys(name for rates in seen_rates for name in rates)
+    sheet = np.array([[rates.get(name, 0.0) for rates in seen_rates] for name in lines]).reshape(
+        len(lines), len(numbers)
+    )
     sought = np.array(answers).T
     free = _null_space(sheet)
     left = np.abs(sought @ free)
@@ -81,7 +83,7 @@ def undetermined(variant: Variant, asked: Sequence[Quantity]) -> Iterator[tuple[
             yield number, names
 
 
-def _numbers(form: Form, seen: Collection[str]) -> list[SceneNumber]:
+def _numbers(form: Form, seen: Collection[str]) -> list[StatedNumber]:
     """The numbers of a file, each with the places where it stands, but those ``seen`` in the figure.
 
     Laws of time stand on the sheet as they are.
@@ -103,7 +105,7 @@ def _numbers(form: Form, seen: Collection[str]) -> list[SceneNumber]:
 
     changed_numbers(form, note, _laws(form))
     return [
-        SceneNumber(value, measures, tuple(i for i, _ in places), tuple(dict.fromkeys(name for _, name in places)))
+        StatedNumber(value, measures, tuple(i for i, _ in places), tuple(dict.fromkeys(name for _, name in places)))
         for (value, measures, _), places in found.items()
     ]
 
@@ -134,7 +136,7 @@ def _needs_no_number(value: float, measures: str, place: str) -> bool:
     return place.endswith((".side", ".branch")) or (value == 0 and ".coordinates." not in place)
 
 
-def _each_or_together(variant: Variant, number: SceneNumber, size: float) -> list[SceneNumber]:
+def _each_or_together(variant: Variant, number: StatedNumber, size: float) -> list[StatedNumber]:
     """A number place by place; all together where the mechanism contradicts itself otherwise; nothing if even then."""
     whole = zip(number.places, number.names, strict=False) if len(number.names) == len(number.places) else ()
     apart = [replace(number, places=(index,), names=(name,)) for index, name in whole]
@@ -144,12 +146,12 @@ def _each_or_together(variant: Variant, number: SceneNumber, size: float) -> lis
     return []
 
 
-def _is_solved(variant: Variant, number: SceneNumber, size: float) -> bool:
+def _is_solved(variant: Variant, number: StatedNumber, size: float) -> bool:
     both = [_changed(variant, number, sign * _CHANGE, size) for sign in (1, -1)]
     return all(bool(solve_variants([other], 1).solved[0]) for other in both)
 
 
-def _changed(variant: Variant, number: SceneNumber, by: float, size: float) -> Variant:
+def _changed(variant: Variant, number: StatedNumber, by: float, size: float) -> Variant:
     """The variant with one number changed by a part of itself, or of the size of the mechanism where it is zero."""
     count = 0
 

@@ -159,7 +159,7 @@ def _rates(template: ComponentTemplate, form: Form) -> Iterator[LiteralDatum]:
         second, rate = field in ("a", "epsilon"), _literal(template, field)
         if source.names:
             if any(source.names & {f"{law}_dot", f"{law}_ddot"} for law in form.laws):
-                continue  # the law itself is told
+                continue  # the law itself stands on the sheet
             datum = LiteralDatum("rate", rate_name(template, field), _measure(template, field), 0.0, second)
             yield replace(datum, source=source)
         elif rate or (rate is not None and not second):
@@ -185,10 +185,10 @@ def _of_point(name: str, template: ComponentTemplate, form: Form) -> Iterator[Li
     kind = _kind(template)
     if kind == "coordinates":
         axes = ("x", "y")
-        told = [axis for axis in axes if getattr(template.fields[axis], "text", "") in {*form.laws, *form.parameters}]
-        if len(told) == 1:  # the law or the parameter tells the other one
-            yield from (LiteralDatum(axis, name, "length", points=(name,)) for axis in axes if axis not in told)
-        elif not told:
+        own = [axis for axis in axes if getattr(template.fields[axis], "text", "") in {*form.laws, *form.parameters}]
+        if len(own) == 1:  # the law or the parameter tells the other one
+            yield from (LiteralDatum(axis, name, "length", points=(name,)) for axis in axes if axis not in own)
+        elif not own:
             yield LiteralDatum("place", name, "length", points=(name,))
     for other, length in _LINES.get(kind, ()):
         yield from _length(template, other, name, length, form)
