@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from types import MappingProxyType
 from typing import Any
 
@@ -77,12 +78,21 @@ def literal_data(form: Form, at: Mapping[str, complex] = MappingProxyType({})) -
         yield from _directions(template, form)
 
 
-def literal_radii(form: Form, at: Mapping[str, complex] = MappingProxyType({})) -> dict[str, list[float]]:
+def literal_radii(form: Form, at: Mapping[str, complex] = MappingProxyType({})) -> Mapping[str, Sequence[float]]:
     """The radii (m) of each body in joints and ropes, in the order of the file, each once.
 
     A wheel that rolls on a line has its radius by the places ``at`` of centre and contact, if the figure does not name
     it.
     """
+    return _radii(form, at) if at else _stated_radii(form)
+
+
+@lru_cache(maxsize=1000)
+def _stated_radii(form: Form) -> Mapping[str, Sequence[float]]:
+    return _radii(form, {})
+
+
+def _radii(form: Form, at: Mapping[str, complex]) -> dict[str, list[float]]:
     found: dict[str, list[float]] = {}
     named = {disc.body for disc in form.figure.discs if disc.name}
     for template in form.joints:
