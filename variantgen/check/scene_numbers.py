@@ -20,7 +20,6 @@ from variantgen.algebra.expression import Constant, Expression
 from variantgen.check.form_numbers import changed_numbers, number_of
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity, motion_order
-from variantgen.mechanism.joints.rolling import Rolling
 from variantgen.resources import languages
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Measured, to_plain
@@ -114,7 +113,7 @@ def _below_centres(form: Form, at: Mapping[str, complex], size: float) -> set[st
     """The coordinates of contacts of wheels right below, above or beside their centres: the figure shows it."""
     found = set()
     for template in form.joints:
-        if template.component is Rolling:
+        if {"centre", "contact"} <= template.fields.keys():
             contact = template.fields["contact"]
             arm = at[contact] - at[template.fields["centre"]]
             found |= {

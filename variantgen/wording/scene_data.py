@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from decimal import Decimal
 
 import numpy as np
@@ -54,12 +54,16 @@ def guide_inclinations(variant: Variant, asked: Sequence[Quantity], language: La
 def guide_sentences(variant: Variant, asked: Sequence[Quantity], language: Language) -> Text:
     """A sentence for each inclined guide, with a space before it."""
     found: list[Formula | str] = []
-    parts = re.split(r"\{(\w+)\}", language.words("sheet")["guide"])
     for point, angle in guide_inclinations(variant, asked, language):
         formulas = {"point": language.symbol(point, variant.form.symbols), "angle": angle}
-        sentence = [formulas[part] if i % 2 else part for i, part in enumerate(parts)]
-        found += [" ", *sentence]
+        found += [" ", *with_formulas(language.words("sheet")["guide"], formulas)]
     return tuple(found)
+
+
+def with_formulas(sentence: str, formulas: Mapping[str, Formula]) -> Text:
+    """A sentence with formulas in the place of their names in braces."""
+    parts = re.split(r"\{(\w+)\}", sentence)
+    return tuple(formulas[part] if i % 2 else part for i, part in enumerate(parts) if part)
 
 
 class _SceneData:
