@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 import variantgen
+from variantgen.check.family import check_family
 from variantgen.cli import main
 from variantgen.families.parameters.parameter import Parameter
 from variantgen.families.reading.load import load_family
@@ -205,6 +206,8 @@ def test_two_radii_of_a_body_are_given_and_have_the_same_names_in_the_solution(t
         ("oblique_guides", "ru", "a_B cos 55° = −a_A cos 50° + a^n_BA a_B = (−3 · cos 50° + 14,18) / cos 55°"),
         ("bead_on_ring_moving", "en", "v_M ξ = v_C − v_rel M cos 30° = 1 − 0.6 · cos 30°"),
         ("bead_on_ring_moving", "en", "a_rel M = √((a_rel M)_n^2 + (a_rel M)_t^2)"),
+        ("geneva", "en", "∠OCA = arctan(AO sin 20° / (100 − AO cos 20°))"),
+        ("incline_blocks_rope", "en", "r_K · θ_AK − x_A cos(θ_AK + 31.70°)"),
         ("frame_on_cart", "ru", "_rod = −ε_rod/cart = −0,5 рад/с²"),
         ("excavator", "en", "_HG = −v_HG = −0.05 m/s"),
     ],
@@ -252,3 +255,9 @@ def test_the_figure_marks_the_angle_of_an_inclined_guide():
     drawing = variantgen.picture(variant).drawing
     arcs = [math.degrees(abs(line.sweep)) for line in drawing.lines if isinstance(line, Arc)]
     assert sorted(round(arc, 6) for arc in arcs if 0 < arc < 90) == [30, 75]
+
+
+def test_a_number_of_the_data_that_is_asked_is_a_remark():
+    report = check_family(str(KINDS / "bead_on_ring_moving.toml"))
+    assert report.remarks == ["ask: v_rel_M is a number of the data; what is asked should have to be found"]
+    assert not check_family(str(KINDS / "geneva.toml")).remarks

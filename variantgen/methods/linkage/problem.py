@@ -185,7 +185,7 @@ class Task:
     @cached_property
     def stated_rates(self) -> dict[str, Value]:
         """The rates that a scene states as numbers, by the letters that its sheet gives them; magnitudes, no zeros."""
-        if self.variant.family.folder is not None:
+        if not self.is_own_scene:
             return {}
         found = {}
         for datum in literal_data(self.form):
@@ -197,9 +197,14 @@ class Task:
         return found
 
     @property
+    def is_own_scene(self) -> bool:
+        """Whether the mechanism is that of a file by itself, whose sheet the program makes."""
+        return self.variant.family.folder is None
+
+    @property
     def stated_radii(self) -> dict[str, list[float]]:
         """The radii of each body that its file states as numbers; of a scene also those of its wheels, as its sheet."""
-        places = self.in_metres.z if self.variant.family.folder is None else {}
+        places = self.in_metres.z if self.is_own_scene else {}
         stated = literal_radii(self.form, places).items()
         return {body: [radius / self.length_unit for radius in radii] for body, radii in stated}
 
