@@ -197,7 +197,11 @@ class Task:
         An angle is a plain number, or in ``degrees``; ``known`` quantities are not written out.
         """
         if not known:
-            return self._translator.translate(expression, degrees)
+            key = ("expressed", expression, degrees)
+            if key not in self.remembered:
+                self.remembered[key] = self._translator.translate(expression, degrees)
+            found: Expression | None = self.remembered[key]
+            return found
         return replace(self._translator, named=lambda name: known.get(name) or self._named(name)).translate(expression)
 
     def drawn_radius(self, body: str | None, centre: str, exact: float) -> Expression | None:
