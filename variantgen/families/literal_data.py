@@ -102,7 +102,8 @@ def rate_name(template: ComponentTemplate, field: str) -> str:
             other = fields.get("relative_to")
             return f"{field}_{fields['body']}" + (f"/{other}" if other else "")
         case "relative_travel" | "circling":
-            return f"{field}_rel_{fields['point']}"
+            along = ".t" if field == "a" and _kind(template) == "circling" else ""  # the normal one follows from v
+            return f"{field}_rel_{fields['point']}{along}"
         case "extension":
             return f"{field}_{fields['start']}{fields['end']}"
     return f"{field}_{next(value for value in fields.values() if isinstance(value, str))}"

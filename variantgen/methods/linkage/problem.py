@@ -15,6 +15,7 @@ from variantgen.algebra.expression import Constant, Expression, Pi, Value
 from variantgen.algebra.name import Name
 from variantgen.families.family import Form
 from variantgen.families.figure_hints import DiscMark
+from variantgen.families.literal_data import literal_data
 from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import Quantity, motion_order
@@ -28,6 +29,7 @@ from variantgen.methods.linkage.translated import Translator
 from variantgen.variants.variant import Variant, solve_variants
 
 AGREES = 1e-9  # of the natural scale: what rounding of the arithmetic leaves between a solution and the solver
+_DIGITS = 12  # of a number of the file in the printed unit
 CLOSE = 1e-9  # relative difference within which two numbers are one, but for rounding
 
 
@@ -177,6 +179,20 @@ class Task:
         else:
             shift = value * Constant(round(factor, 12))
         return Value(value.name, measure, abs(converted) if parameter.is_rate else converted, shift)
+
+    @cached_property
+    def stated_rates(self) -> dict[str, Value]:
+        """The rates that a scene states as numbers, by the letters that its sheet gives them; magnitudes, no zeros."""
+        if self.variant.family.folder is not None:
+            return {}
+        found = {}
+        for datum in literal_data(self.form):
+            if datum.kind == "rate" and datum.source is None and datum.si:
+                printed = unit(self.unit_of(datum.measures)).from_si(abs(datum.si))
+                # 12 in/s are not 12.000000000000002 by their metres.
+                size = float(f"{printed:.{_DIGITS}g}")
+                found[datum.name] = Value(Name("parameter", datum.name), datum.measures, size)
+        return found
 
     def unit_of(self, measure: str) -> str:
         """The name of the unit in which a measure is printed in this solution."""
