@@ -7,9 +7,8 @@ of the point or body that they drive.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from typing import Any
 
 from variantgen.families.family import ComponentTemplate, Form
@@ -66,8 +65,7 @@ def literal_data(form: Form) -> Iterator[LiteralDatum]:
         yield from _rates(template, form)
 
 
-@lru_cache(maxsize=1000)
-def literal_radii(form: Form) -> Mapping[str, Sequence[float]]:
+def literal_radii(form: Form) -> dict[str, list[float]]:
     """The radii (m) of each body in joints and ropes, in the order of the file, each once."""
     found: dict[str, list[float]] = {}
     for template in form.joints:
