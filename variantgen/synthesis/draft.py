@@ -119,6 +119,10 @@ class Draft:
         made.links = {n: replace(link, free=[*link.free], mates={*link.mates}) for n, link in self.links.items()}
         return made
 
+    def style(self, of: str) -> int:
+        """0 or 1: which way to word a statement (or the like) is that of this layout; it depends on its data."""
+        return Chance("style", of, *(f"{name}={datum.value:g}" for name, datum in self.data.items())).below(2)
+
     def letter(self) -> str:
         """The next letter of a moving point."""
         return next(letter for letter in LETTERS if letter not in self.points)
