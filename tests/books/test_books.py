@@ -28,7 +28,7 @@ from variantgen.cli import main
 FOLDER = Path(__file__).parent
 BOOKS = sorted(FOLDER.glob("*.book.toml"))
 # Values of an interval, which no program prints.
-_OF_INTERVAL = ("way_", "shift_", "average_", "turned_", "duration_", "t_", "mean_t_", "max_t_", "min_t_")
+_OF_INTERVAL = ("instant_", "way_", "shift_", "average_", "turned_", "duration_", "t_", "mean_t_", "max_t_", "min_t_")
 # Positions, and values of a whole turn of the crank or of an interval.
 _WITHOUT_PROGRAM = (
     "x_",

@@ -346,3 +346,48 @@ def test_a_batch_of_laws_that_are_integrated_numerically(tmp_path: Path) -> None
     assert len(set(zip(place.tolist(), c.tolist(), strict=True))) > 3
     assert np.asarray(found.answers["v_B"]) == pytest.approx(np.sqrt(square), rel=1e-9)
     assert np.asarray(found.answers["a_B"]) == pytest.approx(c - square / 50, rel=1e-9)
+
+
+FOUND = """
+length_unit = "m"
+[laws]
+time = "t"
+interval = [0, 6]
+instant = "{event}"
+s = {{ {law} }}
+[points]
+B = {{ coordinates = {{ x = "s", y = 0 }} }}
+[[joints]]
+guide = {{ point = "B" }}
+[[drivers]]
+travel = {{ point = "B", v = "s_dot" }}
+"""
+
+
+@pytest.mark.parametrize(
+    ("law", "event", "time", "velocity"),
+    [
+        # v = 8 - 0.4 s = 8 e^(-0.4 t)
+        ('a = "-0.4*v", start = { s = 0, v = 8 }', "s = 1.4 m", -math.log(7.44 / 8) / 0.4, 7.44),
+        # v = k tanh(g t / k), k^2 = 490.5, by an integrator
+        (
+            'a = "9.81 - 0.02*v^2", start = { s = 0, v = 0 }',
+            "v_B = 10 m/s",
+            math.sqrt(490.5) / 9.81 * math.atanh(10 / math.sqrt(490.5)),
+            10,
+        ),
+    ],
+)
+def test_an_instant_of_such_a_law_is_found(
+    law: str, event: str, time: float, velocity: float, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "found.toml"
+    path.write_text(FOUND.format(event=event, law=law), encoding="utf-8")
+    found = _solved(str(path), capsys, "t", "v_B")
+    assert list(found.values()) == pytest.approx([time, velocity], rel=1e-7)
+
+
+def test_no_instant_is_found_at_a_given_place(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = _written(tmp_path, "v = 5", BY_PLACE, 'interval = [0, 2]\ninstant = "v_B = 5 m/s"')
+    assert main(["solve", path, "--ask", "v_B"]) == 2
+    assert "laws.instant: an instant cannot be found where the place s is given" in capsys.readouterr().err

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from decimal import Decimal
 from functools import cached_property
 from typing import Any, Protocol
 
@@ -35,8 +36,25 @@ class Interval:
     is_of_place: bool = False
 
 
+@dataclass(frozen=True)
+class FoundInstant:
+    """What the instant of a problem is found by: when a law of time or a quantity first has a value in the interval.
+
+    ``name`` is that of the law or of the quantity, ``value`` as it is written, in the unit of that name.
+    """
+
+    name: str
+    value: Decimal
+    unit: str
+
+
 class MovingForm(Protocol):
-    """What a course needs of a form: its scene for any values of its parameters."""
+    """What a course needs of a form: its scene for any values of its parameters, and whether its instant is found."""
+
+    @property
+    def found_instant(self) -> FoundInstant | None:
+        """By what the instant of the problem is found; None where it is given."""
+        ...
 
     def values(self, parameters: Mapping[str, Real]) -> dict[str, Real]:
         """Parameters in SI together with the derived quantities."""
@@ -71,6 +89,11 @@ class FormInTime:
         """The scenes of variants at instants (s), shape (M,) each, as one batch."""
         return _moved(self, self.time, variants, times)
 
+    @property
+    def found(self) -> str:
+        """The name of the instant, if it is found and not given."""
+        return self.time if self.form.found_instant else ""
+
     def take(self, index: NDArray[Any] | int, size: int) -> FormInTime:
         """The variants chosen by indices, shape (K,), a mask, shape (N,), or a single number."""
         parameters, frame, start, end = _cut(self, (self.start, self.end), index, size)
@@ -96,6 +119,11 @@ class FormByPlace:
     def is_by_place(self) -> bool:
         """The interval is stated by its places."""
         return True
+
+    @property
+    def found(self) -> str:
+        """The place is given, no instant is found."""
+        return ""
 
     @property
     def start(self) -> Real:

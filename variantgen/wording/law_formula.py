@@ -21,6 +21,7 @@ from variantgen.algebra.expression import (
 )
 from variantgen.algebra.normal_form import signed
 from variantgen.families.family import Form
+from variantgen.families.found_instant import watched
 from variantgen.families.parameters.expressions import FamilyExpression, parse
 from variantgen.families.parameters.rate_law import RateLaw
 from variantgen.families.parameters.units import LENGTHS, UNITS, is_number, short_unit, unit
@@ -137,6 +138,15 @@ class _RateEquations:
 def _at_start(symbol: Symbol) -> Symbol:
     """The symbol with the index 0."""
     return symbol._replace(index=(*symbol.index, Index("0")))
+
+
+def event_of(variant: Variant, language: Language) -> Equation:
+    """What happens at the instant that is found, ``v_B = 2 m/s``."""
+    form, event = variant.form, variant.form.found_instant
+    assert event is not None, "the instant is found"
+    quantity = watched(form)
+    left = language.symbol(event.name, form.symbols) if quantity is None else language.quantity(quantity, form.symbols)
+    return Equation(left, Measured(language.decimal(event.value), language.unit(unit(event.unit))))
 
 
 def _left(form: Form, law: str, language: Language) -> Formula:

@@ -17,14 +17,16 @@ from variantgen.families.family import Form
 from variantgen.families.parameters.dimensions import Dimension
 from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.families.parameters.laws import Law, PlainLaws, fed_measures, split_law
+from variantgen.families.parameters.parameter import Parameter
 from variantgen.families.parameters.rate_law import RateLaw
 from variantgen.families.parameters.solved_law import SolvedLaw
 from variantgen.families.parameters.units import UNITS, Unit
+from variantgen.families.reading.driven_laws import check_driven
 from variantgen.families.reading.rate_reader import Quantity, RateReader, ReadRate, is_rate_law, rates_of
 from variantgen.tables import Table
 
 _BETWEEN = 64  # values of the variable between the start of a law and the instant
-_OWN = ("time", "interval")  # keys of the table that are no laws
+_OWN = ("time", "interval", "instant")  # keys of the table that are no laws
 _Stated = tuple[FamilyExpression, Unit | None]  # a law as it is written, and the unit beside it
 
 
@@ -53,16 +55,20 @@ def read_laws(
     scene: Mapping[str, Any],
     length: str,
     quantity: Quantity,
-    sample: Mapping[str, float],
+    parameters: Mapping[str, Parameter],
 ) -> dict[str, Law]:
     """The laws by name; their values and derivatives become derived quantities of the form.
 
     ``scene`` is the file, which tells what each law feeds, ``length`` its unit of length, ``quantity`` reads a number
-    or an expression of a dimension, ``sample`` are values of the parameters (SI). Mistakes are noted.
+    or an expression of a dimension. Mistakes are noted.
     """
     if not table.data:
         return {}
     place = place_of(table.data, form.dimensions)
+    if place and "instant" in table.data:
+        remedy = f'leave one of both out; by the time {place} is a law and no parameter: time = "t"'
+        table.problem(f"an instant cannot be found where the place {place} is given", "instant", "", remedy)
+        return {}
     time = "" if place else table.need("time", str, "t", "the name of the parameter that is the instant")
     if time and form.dimensions.get(time) != (0, 1):
         table.problem("expected the name of a parameter that is a time", "time", time, 'give it the unit "s"')
@@ -77,7 +83,7 @@ def read_laws(
     plain = PlainLaws(time or place, fed_measures(scene), length)
     found: dict[str, Law] = {}
     alone: list[str] = [place] if place else []  # names that no formula of the time stands for
-    rates = RateReader(form, time, quantity, sample, length)
+    rates = RateReader(form, time, quantity, _sample(parameters, form.derived), length)
     for name in [name for name, value in table.data.items() if is_rate_law(value)]:
         with table.collecting(name):
             if (read := rates.read(table, name)) is not None:
@@ -103,6 +109,14 @@ def read_laws(
                 law = law.derivative(time, others)
                 form.define(name + suffix, law, (dimension[0], dimension[1] - i))
     table.finish()
+    return found
+
+
+def _sample(parameters: Mapping[str, Parameter], derived: Mapping[str, FamilyExpression]) -> dict[str, float]:
+    """Values (SI) from the middle of the parameters, with what is derived of them."""
+    found = {name: float(p.si[len(p.si) // 2]) for name, p in parameters.items()}
+    for name, expression in derived.items():
+        found[name] = float(expression.value(found))
     return found
 
 
@@ -171,7 +185,20 @@ def read_interval(
     return Interval(place or table.data["time"], first, last, bool(place))
 
 
-def check_interval(form: Form) -> None:
+def check_motion(form: Form, laws: Mapping[str, Any]) -> None:
+    """Raise InputError for laws that do not come to the instant, drivers against them, and a wrong interval.
+
+    ``laws`` is the table of the file.
+    """
+    if form.laws:
+        _check_laws(form)
+        dimensions = {name: p.unit.dimension if p.unit else (0, 0) for name, p in form.parameters.items()}
+        check_driven(form, laws.get("time") or place_of(laws, dimensions))
+    if form.interval:
+        _check_interval(form)
+
+
+def _check_interval(form: Form) -> None:
     """Raise InputError for an interval that ends before it begins, and for drivers whose motion in it nothing tells."""
     assert form.interval is not None and form.sample.course is not None, "there is an interval"
     problems: list[Problem] = []
@@ -192,7 +219,7 @@ def check_interval(form: Form) -> None:
         raise InputError(problems)
 
 
-def check_laws(form: Form) -> None:
+def _check_laws(form: Form) -> None:
     """Raise InputError for laws by rates that do not come from their start to the instant of the problem."""
     problems = []
     for name, law in form.laws.items():
