@@ -288,6 +288,16 @@ def test_a_sheet_tells_the_rate_and_the_start(tmp_path: Path, capsys: pytest.Cap
     assert main(["check", path]) == 0
 
 
+def test_a_start_by_a_parameter(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    parameters = f'{BY_TIME}\nu = {{ unit = "m/s", values = [8] }}'
+    path = _written(tmp_path, 'a = "-0.4*v", start = { s = "2 m", v = "u" }', parameters)
+    assert list(_solved(path, capsys, "v_B").values()) == pytest.approx([8 * math.exp(-0.8)], rel=1e-7)
+    assert main(["show", path, "--ask", "v_B"]) == 0
+    shown = _plain(capsys)
+    assert "u = 8 m/s" in shown
+    assert "ṡ_0 = u" in shown
+
+
 @pytest.mark.parametrize("parameter", [BY_TIME, BY_PLACE])
 def test_an_acceleration_is_told_where_velocities_depend_on_it(
     parameter: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]

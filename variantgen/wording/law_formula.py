@@ -120,7 +120,9 @@ class _RateEquations:
     def _letters(self) -> dict[str, Formula]:
         """What the names in the rate stand for: the law, and its velocity as a file calls it in an acceleration."""
         velocity = "omega" if self._units[0] in ("deg", "rad", "rev") else "v"
-        return {self._rate.name: self._own, velocity: Dotted(self._own, 1)}
+        found: dict[str, Formula] = {self._rate.name: self._own}
+        known = {*self._form.parameters, *self._form.derived}
+        return found if velocity in known else {**found, velocity: Dotted(self._own, 1)}
 
     @property
     def _scale(self) -> float:
@@ -128,6 +130,8 @@ class _RateEquations:
 
     def _number(self, item: Expression, order: int | None) -> Formula:
         """A value at the start: of the law (order 0), of its velocity (1), or of the time (None)."""
+        if self._rate.unit and isinstance(item, Ratio):  # a parameter through the unit of the plain numbers
+            item = item.above
         if not isinstance(item, Constant):
             return _formula(item, self._language, self._form.symbols)
         own = unit("s" if order is None else self._units[order])
