@@ -11,12 +11,13 @@ import pytest
 import variantgen.check.draws
 import variantgen.check.family
 from variantgen.check.family import check_family
+from variantgen.errors import InputError
 from variantgen.families.quantities import parse_quantity
 from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.verification.verify import Recomputed, recompute
-from variantgen.skeletons import new_family
+from variantgen.skeletons import new_exam, new_family
 from variantgen.variants.counting import variety
 
 
@@ -88,6 +89,14 @@ def test_an_answer_that_all_students_share_is_a_failure(tmp_path: Path) -> None:
 def test_a_silent_parameter_must_not_matter(tmp_path: Path) -> None:
     found = broken(tmp_path, "family.toml", 'phi = { unit = "deg",', 'phi = { silent = true, unit = "deg",')
     assert any("depends on a parameter that is not printed" in failure for failure in found)
+
+
+@pytest.mark.parametrize("name", ["con", "lpt1", "com9"])
+def test_a_new_family_or_exam_has_no_name_that_windows_keeps(name: str, tmp_path: Path) -> None:
+    for begin in (new_family, new_exam):
+        with pytest.raises(InputError, match="Windows keeps this name"):
+            begin(name, tmp_path)
+    assert not list(tmp_path.iterdir())
 
 
 def test_a_new_family_passes_its_check(tmp_path: Path) -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.reading.folders import family_names
+from variantgen.outputs.files.file_names import WINDOWS_DEVICES
 from variantgen.resources import templates_dir
 
 _NAME = re.compile(r"[a-z][a-z0-9_]{0,40}")
@@ -54,6 +55,10 @@ def _check_name(name: str) -> None:
                 value=name,
                 remedy="for example crank_with_two_rods",
             )
+        )
+    if name in WINDOWS_DEVICES:
+        raise InputError(
+            Problem("Windows keeps this name for a device", key="NAME", value=name, remedy="choose another")
         )
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 from variantgen.algebra.decimals import RECORDED_DIGITS
 from variantgen.families.parameters.units import Unit, unit
@@ -48,7 +49,7 @@ class Quantity:
         """0 if positions are enough to know it, 1 if velocities are, 2 if accelerations are needed."""
         return KINDS[self.kind].order
 
-    @property
+    @cached_property
     def group(self) -> str:
         """The group of its kind, which tells how it is named and read."""
         group = KINDS[self.kind].group

@@ -11,7 +11,7 @@ from variantgen.exam.sheets import Sheet
 NAMINGS = ("code", "id", "name")
 
 # Names that Windows keeps for its devices, whatever the ending is.
-_DEVICES = ("con", "prn", "aux", "nul", *(f"{port}{number}" for port in ("com", "lpt") for number in range(1, 10)))
+WINDOWS_DEVICES = ("con", "prn", "aux", "nul", *(f"{port}{digit}" for port in ("com", "lpt") for digit in range(1, 10)))
 _LONGEST = 80  # bytes before the code; systems allow 255 for the whole name
 
 
@@ -30,7 +30,7 @@ def file_stem(sheet: Sheet, naming: str) -> str:
 def file_names(texts: Sequence[str]) -> list[str]:
     """A name of a file without its ending for each text, no two the same in large or small letters."""
     found: list[str] = []
-    taken = set(_DEVICES)
+    taken = set(WINDOWS_DEVICES)
     for text in texts:
         short = _plain(text) or "-"
         name, number = short, 1
