@@ -14,7 +14,8 @@ from typing import NamedTuple
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Layer
 from variantgen.figure.sketch import HINGE
-from variantgen.figure.symbols._strands import HALF_LOAD, RADIUS, Strand, all_strands, parallel_ropes
+from variantgen.figure.symbols._strands import RADIUS, Strand, all_strands, parallel_ropes
+from variantgen.figure.symbols.guide import HALF_LOAD
 from variantgen.mechanism.joints.rope import Rope
 
 BRACKET = 4.5

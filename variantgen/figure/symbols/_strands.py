@@ -13,13 +13,12 @@ from typing import NamedTuple
 
 from variantgen.figure.board import Board
 from variantgen.figure.sketch import HINGE
-from variantgen.figure.symbols.guide import ground_side
+from variantgen.figure.symbols.guide import HALF_LOAD, ground_side
 from variantgen.mechanism.constructions.tangent import thread_direction
 from variantgen.mechanism.joints.guide import Guide
 from variantgen.mechanism.joints.rope import Bend, Rope
 
 RADIUS = 2.2  # of a sheave, u
-HALF_LOAD = 3.0
 _LEAST = 1.4  # radius of a sheave where there is little room
 _WIDEST = 12.0  # from a block to a strand beside it, for which its sheave is made wide
 _CLEAR = 0.8  # between a strand and the load beside it

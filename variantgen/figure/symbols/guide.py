@@ -1,4 +1,4 @@
-"""Slider in a fixed guide: a block on a hatched line."""
+"""Slider in a fixed guide: a block on a hatched line; under a load on a rope only where it does not hang."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from variantgen.mechanism.joints.guide import Guide
 from variantgen.mechanism.joints.rope import Rope
 from variantgen.mechanism.rows import Placement
 
+HALF_LOAD = 3.0  # half the side of a load on a rope, u
 _HALF_LENGTH, _HALF_HEIGHT, _OVERHANG = 2.9, 1.7, 5.5
 _HALF_BEARING = 1.1
 _BESIDE = 6.4  # from the middle of a bearing to a point with a name, u
@@ -29,14 +30,11 @@ def draw(board: Board, joint: Guide) -> None:
     if joint.point in board.form.figure.stems:
         _draw_bearing(board, joint.point, way)
         return
-    side = ground_side(board, joint)
-    corners = [
-        centre + x * _HALF_LENGTH * way + y * _HALF_HEIGHT * side for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))
-    ]
-    line = centre + _HALF_HEIGHT * side
-    start, end = line - (_HALF_LENGTH + _OVERHANG) * way, line + (_HALF_LENGTH + _OVERHANG) * way
-    sketch.path((start, end), Layer.GROUND)
-    sketch.hatch(start, end, side)
+    is_load = joint.point in board.loads
+    side = -1j * way * math.copysign(1.0, way.real) if is_load else ground_side(board, joint)
+    long, high = (HALF_LOAD, HALF_LOAD) if is_load else (_HALF_LENGTH, _HALF_HEIGHT)
+    corners = [centre + x * long * way + y * high * side for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+    _draw_ground(board, joint.point, way, side, high)
     if board.is_translated(joint.point) or not board.is_linked(joint.point):
         # Fixed to its rod, which is seen to run through the block, or without one: there is no pin.
         sketch.path(corners, Layer.DISC, closed=True, fill="paper")
@@ -45,7 +43,7 @@ def draw(board: Board, joint: Guide) -> None:
         sketch.circle(centre, HINGE, Layer.HINGE, fill="paper")
     for taken in (way, -way, side):
         sketch.occupy(joint.point, taken)
-    board.sized(joint.point, _HALF_LENGTH, box=corners)
+    board.sized(joint.point, long, box=corners)
 
 
 def _hangs(board: Board, point: str, way: complex) -> bool:
@@ -61,6 +59,15 @@ def _hangs(board: Board, point: str, way: complex) -> bool:
         if point in (pair[0].point, pair[1].point)
     ]
     return point in board.loads or (bool(rays) and all(abs(ray.real) < UPRIGHT for ray in rays))
+
+
+def _draw_ground(board: Board, point: str, way: complex, side: complex, off: float) -> None:
+    """The hatched line on which a block slides, on a side of the point."""
+    line = board.sketch.at[point] + off * side
+    start, end = line - (_HALF_LENGTH + _OVERHANG) * way, line + (_HALF_LENGTH + _OVERHANG) * way
+    board.sketch.path((start, end), Layer.GROUND)
+    board.sketch.hatch(start, end, side)
+    board.grounds[point] = (start, end)
 
 
 def _draw_bearing(board: Board, point: str, way: complex) -> None:

@@ -11,8 +11,7 @@ from variantgen.figure.board import Board
 from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Layer
 from variantgen.figure.sketch import HINGE
 from variantgen.figure.symbols import _hoist
-from variantgen.figure.symbols._strands import HALF_LOAD
-from variantgen.figure.symbols.guide import UPRIGHT
+from variantgen.figure.symbols.guide import HALF_LOAD, UPRIGHT
 from variantgen.mechanism.constructions.tangent import thread_direction
 from variantgen.mechanism.joints.guide import Guide
 from variantgen.mechanism.joints.rope import Bend, Rope
