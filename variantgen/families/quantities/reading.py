@@ -272,6 +272,8 @@ def _proposed(text: str, quantity: Quantity | None, scene: Scene, known: Sequenc
         return f"write the two bodies of omega / omega: ratio_AB.CD with two of {', '.join(sorted(scene.bodies))}"
     if quantity is not None and quantity.group == "rope":
         pieces = [".".join((ROPE, *piece.ends)) for piece in rope_pieces(scene)]
+        if any({*piece.ends} == {quantity.target, quantity.component} for piece in rope_pieces(scene)):
+            return "several strands run so, each as fast as its own rope lets it: give them stations with other names"
         return "a rope runs straight between: " + ", ".join(pieces) if pieces else "there is no rope"
     if quantity is not None and quantity.is_of_interval:
         return _for_interval(scene)
