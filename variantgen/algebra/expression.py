@@ -164,7 +164,10 @@ class Total(Expression):
 
     def number(self, exact: bool) -> float:
         """The sum."""
-        return sum(sign * term.number(exact) for sign, term in self.terms)
+        result: float = 0
+        for sign, term in self.terms:
+            result += sign * term.number(exact)
+        return result
 
     def operands(self) -> Sequence[Expression]:
         """The terms."""
@@ -195,7 +198,10 @@ class Times(Expression):
 
     def number(self, exact: bool) -> float:
         """The product."""
-        return math.prod(factor.number(exact) for factor in self.factors)
+        result: float = 1
+        for factor in self.factors:
+            result *= factor.number(exact)
+        return result
 
     def operands(self) -> Sequence[Expression]:
         """The factors."""

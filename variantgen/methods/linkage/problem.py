@@ -44,17 +44,17 @@ class Task:
     asked: tuple[Quantity, ...]
     now: Instant
 
-    @cached_property
+    @property
     def form(self) -> Form:
         """The form of the variant's family."""
         return self.variant.form
 
-    @cached_property
+    @property
     def scene(self) -> Scene:
         """The scene of the variant (numbers in SI)."""
         return self.now.scene
 
-    @cached_property
+    @property
     def order(self) -> int:
         """1 if velocities are enough, 2 if accelerations are asked."""
         return motion_order(self.asked)
@@ -74,7 +74,7 @@ class Task:
         """The plain quantities that the asked ones are, or are made of; none where positions alone are asked."""
         return tuple(dict.fromkeys(source for quantity in self.asked for source in quantity.sources(self.scene)))
 
-    @cached_property
+    @property
     def at(self) -> Placement:
         """Positions in printed units, with the frame."""
         return Placement(self.now.z, self.scene.frame)
@@ -89,7 +89,7 @@ class Task:
         """Positions in SI, as the numbers of the scene are."""
         return Placement({point: z * self.length_unit for point, z in self.now.z.items()}, self.scene.frame)
 
-    @cached_property
+    @property
     def fixed(self) -> frozenset[str]:
         """Points at rest."""
         return self.linkage.resting
@@ -148,7 +148,7 @@ class Task:
         values = self.form.values({name: self.variant.si(name) for name in self.form.parameters})
         return {name: float(value) for name, value in values.items()}
 
-    @cached_property
+    @property
     def length_unit(self) -> float:
         """The printed unit of length in metres."""
         return float(unit(self.variant.family.length_unit).factor)
@@ -227,7 +227,11 @@ class Task:
         An angle is a plain number, or in ``degrees``; ``known`` quantities are not written out.
         """
         if not known:
-            return self._translator.translate(expression, degrees)
+            key = ("expressed", expression, degrees)
+            if key not in self.remembered:
+                self.remembered[key] = self._translator.translate(expression, degrees)
+            found: Expression | None = self.remembered[key]
+            return found
         return replace(self._translator, named=lambda name: known.get(name) or self._named(name)).translate(expression)
 
     def drawn_radius(self, body: str | None, centre: str, exact: float) -> Expression | None:
