@@ -164,10 +164,7 @@ class Total(Expression):
 
     def number(self, exact: bool) -> float:
         """The sum."""
-        result: float = 0
-        for sign, term in self.terms:
-            result += sign * term.number(exact)
-        return result
+        return sum([sign * term.number(exact) for sign, term in self.terms])
 
     def operands(self) -> Sequence[Expression]:
         """The terms."""
@@ -198,10 +195,7 @@ class Times(Expression):
 
     def number(self, exact: bool) -> float:
         """The product."""
-        result: float = 1
-        for factor in self.factors:
-            result *= factor.number(exact)
-        return result
+        return math.prod([factor.number(exact) for factor in self.factors])
 
     def operands(self) -> Sequence[Expression]:
         """The factors."""
