@@ -25,7 +25,7 @@ class Board:
 
     ``scene`` holds the numbers of one variant (scalars), ``shown`` its named points, ``given`` the parameters that are
     marked, ``discs`` the radii (u) of the circles drawn of each body, ``poses`` the directions (rad) in which the
-    supports of fixed points stand.
+    supports of fixed points stand, ``grounds`` the ends of the ground lines of guides by their points.
     """
 
     sketch: Sketch
@@ -38,6 +38,7 @@ class Board:
     clear: dict[str, float] = field(default_factory=dict)
     discs: dict[str, list[float]] = field(default_factory=dict)
     poses: dict[str, float] = field(default_factory=dict)
+    grounds: dict[str, tuple[complex, complex]] = field(default_factory=dict)
 
     @property
     def frame(self) -> Frame:
@@ -56,8 +57,13 @@ class Board:
 
     @property
     def loads(self) -> set[str]:
-        """Points that hang on a rope and belong to no body."""
-        return {name for joint in self.scene.joints for name in joint.hanging() if not self.owners(name)}
+        """Points that hang on a rope and belong to no body of several points, nor to a round one."""
+        hanging = {name for joint in self.scene.joints for name in joint.hanging()}
+        return {name for name in hanging if not self.is_disc(name) and not self.is_linked(name)}
+
+    def is_linked(self, point: str) -> bool:
+        """Whether a point belongs to a body of several points."""
+        return any(len(self.scene.bodies[body]) > 1 for body in self.owners(point))
 
     def owners(self, point: str) -> list[str]:
         """Bodies that a point belongs to."""

@@ -31,7 +31,7 @@ class Construction(Protocol):
 
 
 class SceneInTime(Protocol):
-    """The motion of N scenes by laws of time, in an interval of time: the scene at any of its instants."""
+    """The motion of N scenes by laws, in an interval of time: the scene at any of its instants."""
 
     @property
     def start(self) -> Real:
@@ -41,6 +41,21 @@ class SceneInTime(Protocol):
     @property
     def end(self) -> Real:
         """The end of the interval (s)."""
+        ...
+
+    @property
+    def is_by_place(self) -> bool:
+        """Whether the interval is stated by its places, so that its length is not told."""
+        ...
+
+    @property
+    def found(self) -> str:
+        """The name of the instant of the problem, if it is found and not given."""
+        ...
+
+    @property
+    def parameters(self) -> Mapping[str, Real]:
+        """What the scenes are made of (SI), the instant by its name among it."""
         ...
 
     def at(self, variants: NDArray[np.intp], times: NDArray[np.float64]) -> Scene:

@@ -31,6 +31,8 @@ def parse_quantity(text: str, scene: Scene, key: str = "ask", offered: Sequence[
     known = quantity_names(scene)
     if text in known:
         return split_name(text)
+    if scene.course is not None and text == scene.course.found:
+        return Quantity("instant", text)
     quantity = split_name(text) if _match(text) else None
     if quantity is None or not _is_further(quantity, scene):
         if quantity is not None and (reason := _of_crank(quantity, scene)):
@@ -98,11 +100,20 @@ def quantity_names(scene: Scene) -> list[str]:
 
 def interval_names(scene: Scene) -> list[str]:
     """Names of what can be asked of the interval of time of a scene: ways, means, extremes, instants; none without."""
-    of_point = ("way_{}", "shift_{}", "average_v_{}", "mean_t_v_{}", "max_t_v_{}", "t_max_v_{}", "t_zero_v_{}")
+    of_point: tuple[str, ...] = (
+        "way_{}",
+        "shift_{}",
+        "average_v_{}",
+        "mean_t_v_{}",
+        "max_t_v_{}",
+        "t_max_v_{}",
+        "t_zero_v_{}",
+    )
     of_body = ("turned_{}", "mean_t_omega_{}", "max_t_omega_{}", "t_max_omega_{}", "t_zero_omega_{}")
     if scene.course is None:
         return []
-    found = [name.format(point) for point in _moving_points(scene) for name in (*of_point, "t_back_{}")]
+    of_point += ("duration_{}",) if scene.course.is_by_place else ("t_back_{}",)
+    found = [name.format(point) for point in _moving_points(scene) for name in of_point]
     return found + [name.format(body) for body in scene.bodies for name in of_body]
 
 
@@ -172,6 +183,8 @@ def _has_turn(quantity: Quantity, scene: Scene) -> bool:
 def _has_course(quantity: Quantity, scene: Scene) -> bool:
     """Whether a scene that moves for an interval of time has what is asked of it."""
     of, component = quantity.of_instant, quantity.component
+    if quantity.kind == "instant":
+        return scene.course is not None and quantity.target == scene.course.found and not component
     if of is not None:
         known = of.name in quantity_names(scene) or _is_further(of, scene)
         moves = of.group != "position" or bool({*of.points(scene.points)} & {*_moving_points(scene)})
@@ -179,6 +192,9 @@ def _has_course(quantity: Quantity, scene: Scene) -> bool:
         return known and moves and not of.line and (is_part or component not in _NO_EXTREMES)
     if quantity.is_turning:
         return quantity.target in scene.bodies and not component
+    assert scene.course is not None, "there is an interval"
+    if quantity.kind == "duration" and not scene.course.is_by_place:
+        return False  # the data tell it
     parts = ("", "x", "y", "angle") if quantity.kind in _VECTORS_OF_INTERVAL else ("",)
     return quantity.target in _moving_points(scene) and component in parts
 
@@ -229,7 +245,7 @@ def _for_interval(scene: Scene) -> str:
     """What a value of an interval of time needs."""
     names = "max_t_v_B, min_t_x_B, mean_t_v_B, t_max_v_B, t_zero_v_B, t_back_B, way_B, shift_B, turned_AB, average_v_B"
     stated = "" if scene.course else ", and state the interval in [laws]: interval = [0, 3]"
-    return f"of an interval of time write {names}{stated}"
+    return f"of an interval of time write {names}, and duration_B where it is stated by its places{stated}"
 
 
 def _bodies_with(target: str, scene: Scene) -> list[str]:
@@ -246,7 +262,8 @@ def _proposed(text: str, quantity: Quantity | None, scene: Scene, known: Sequenc
     if letter in _OTHERWISE and own in known:
         return f"write {own}: angular velocities are omega, angular accelerations epsilon"
     if _INSTANT.search(text):
-        return "an instant is told by the data: state a law of time in [laws], and the time as a parameter"
+        given = "an instant is told by the data: state a law of time in [laws], and the time as a parameter"
+        return f'{given}, or in [laws] when it is:  instant = "v_B = 2 m/s"'
     if letter in ("omega", "epsilon") and (turning := _bodies_with(target, scene)):
         return f"{target} is no body; its rotation is that of {' or '.join(f'{letter}_{body}' for body in turning)}"
     if quantity is not None and quantity.line and line_ends(quantity.line, scene.points) is None:
@@ -255,6 +272,8 @@ def _proposed(text: str, quantity: Quantity | None, scene: Scene, known: Sequenc
         return f"write the two bodies of omega / omega: ratio_AB.CD with two of {', '.join(sorted(scene.bodies))}"
     if quantity is not None and quantity.group == "rope":
         pieces = [".".join((ROPE, *piece.ends)) for piece in rope_pieces(scene)]
+        if any({*piece.ends} == {quantity.target, quantity.component} for piece in rope_pieces(scene)):
+            return "several strands run so, each as fast as its own rope lets it: give them stations with other names"
         return "a rope runs straight between: " + ", ".join(pieces) if pieces else "there is no rope"
     if quantity is not None and quantity.is_of_interval:
         return _for_interval(scene)

@@ -116,6 +116,8 @@ def reduced(geometry: Angular, function: str, form: AngleForm) -> tuple[int, Exp
     if abs(other) < _NOTHING:
         return (1 if value > 0 else -1), None
     sign, form = 1, geometry.taken_apart(form)
+    if not form.parts and abs(size := normal_angle(form.constant)) > 90.0:  # of 20 degrees, not of 160
+        sign, form = -1, AngleForm((), normal_angle(size - 180.0))
     quarter = round(form.constant / 90.0)
     if abs(form.constant - 90.0 * quarter) < 1e-9:
         function, sign = _QUARTERS[function][quarter % 4]
