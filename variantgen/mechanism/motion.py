@@ -116,16 +116,14 @@ def take_scene(scene: Scene, index: NDArray[Any] | int, size: int) -> Scene:
     """A scene with the chosen variants only: arrays of the batch length are indexed, scalars stay."""
 
     def cut(item: Any) -> Any:
-        changes = {name: short for name, value in vars(item).items() if (short := shortened(value)) is not value}
+        changes: dict[str, Any] = {}
+        for name, value in vars(item).items():
+            if isinstance(value, np.ndarray):
+                if value.shape == (size,):
+                    changes[name] = value[index]
+            elif isinstance(value, tuple) and value and is_dataclass(value[0]):
+                changes[name] = tuple(cut(part) for part in value)
         return type(item)(**(vars(item) | changes)) if changes else item
-
-    def shortened(value: Any) -> Any:
-        """An array over the batch or a tuple of parts with the chosen variants; anything else as it is."""
-        if isinstance(value, np.ndarray) and value.shape == (size,):
-            return value[index]
-        if isinstance(value, tuple) and value and is_dataclass(value[0]):
-            return tuple(cut(part) for part in value)
-        return value
 
     return Scene(
         {name: cut(item) for name, item in scene.points.items()},

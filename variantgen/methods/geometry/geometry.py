@@ -8,20 +8,17 @@ and once.
 
 from __future__ import annotations
 
-import importlib
-from collections.abc import Callable, Iterable, Sequence
-from functools import cache
+from collections.abc import Iterable, Sequence
 
 from variantgen.algebra.expression import Constant, Expression, Total, Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import Signed, summed
-from variantgen.families.literal_data import literal_radii
 from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.methods.geometry import trigonometry
 from variantgen.methods.geometry.angle_sums import angle_sum
 from variantgen.methods.geometry.angles import AngleForm, Atom, between, degrees, normal_angle, short
 from variantgen.methods.geometry.legs import Leg, collected
-from variantgen.methods.geometry.located_point import ORIGIN, LocatedPoint, Pair
+from variantgen.methods.geometry.located_point import ORIGIN, LocatedPoint, Pair, derivation
 from variantgen.methods.geometry.position_lines import PositionLines
 from variantgen.methods.geometry.printed_angles import Way, placed_by_angles
 from variantgen.methods.geometry.radii import UnnamedRadii
@@ -36,14 +33,6 @@ _X, _Y = AngleForm(), AngleForm((), 90.0)
 _INLINE = 2  # legs in oblique directions of which a triangle is made; of more, coordinates are taken
 
 
-@cache
-def _derivation(stem: str) -> Callable[..., LocatedPoint]:
-    """How a point is located, by the module of its construction."""
-    found: Callable[..., LocatedPoint]
-    found = importlib.import_module(f"variantgen.methods.geometry.placing.{stem}").Derivation
-    return found
-
-
 class Geometry(PositionLines):
     """Lengths, directions and coordinates of one variant; ``items`` are the lines that derive them, in order."""
 
@@ -51,8 +40,7 @@ class Geometry(PositionLines):
         super().__init__(task)
         self._lengths: dict[frozenset[str], Value] = {}
         self._directions: dict[tuple[str, str], Value] = {}
-        stated = literal_radii(task.form).items()
-        self.unnamed_radii = UnnamedRadii({body: [r / task.length_unit for r in radii] for body, radii in stated})
+        self.unnamed_radii = UnnamedRadii(task.stated_radii)
         self._shown: dict[AngleForm, Value] = {}  # directions by given angles that have a line
         self._coordinates: dict[str, Pair] = {}
         plan, ways = task.form.plan, placed_by_angles(task.form)
@@ -64,7 +52,7 @@ class Geometry(PositionLines):
         """The point as its construction tells it, whose stem the module has; or by another way."""
         template = self.task.form.points[point]
         stem, fields = way or (template.component.__module__.rpartition(".")[2], template.fields)
-        return _derivation(stem)(self, point, fields)
+        return derivation(stem)(self, point, fields)
 
     # What is known.
 

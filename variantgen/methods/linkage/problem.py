@@ -15,7 +15,7 @@ from variantgen.algebra.expression import Constant, Expression, Pi, Value
 from variantgen.algebra.name import Name
 from variantgen.families.family import Form
 from variantgen.families.figure_hints import DiscMark
-from variantgen.families.literal_data import literal_data
+from variantgen.families.literal_data import literal_data, literal_radii
 from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import Quantity, motion_order
@@ -44,17 +44,17 @@ class Task:
     asked: tuple[Quantity, ...]
     now: Instant
 
-    @cached_property
+    @property
     def form(self) -> Form:
         """The form of the variant's family."""
         return self.variant.form
 
-    @cached_property
+    @property
     def scene(self) -> Scene:
         """The scene of the variant (numbers in SI)."""
         return self.now.scene
 
-    @cached_property
+    @property
     def order(self) -> int:
         """1 if velocities are enough, 2 if accelerations are asked."""
         return motion_order(self.asked)
@@ -74,7 +74,7 @@ class Task:
         """The plain quantities that the asked ones are, or are made of; none where positions alone are asked."""
         return tuple(dict.fromkeys(source for quantity in self.asked for source in quantity.sources(self.scene)))
 
-    @cached_property
+    @property
     def at(self) -> Placement:
         """Positions in printed units, with the frame."""
         return Placement(self.now.z, self.scene.frame)
@@ -89,7 +89,7 @@ class Task:
         """Positions in SI, as the numbers of the scene are."""
         return Placement({point: z * self.length_unit for point, z in self.now.z.items()}, self.scene.frame)
 
-    @cached_property
+    @property
     def fixed(self) -> frozenset[str]:
         """Points at rest."""
         return self.linkage.resting
@@ -148,7 +148,7 @@ class Task:
         values = self.form.values({name: self.variant.si(name) for name in self.form.parameters})
         return {name: float(value) for name, value in values.items()}
 
-    @cached_property
+    @property
     def length_unit(self) -> float:
         """The printed unit of length in metres."""
         return float(unit(self.variant.family.length_unit).factor)
@@ -165,6 +165,8 @@ class Task:
         shown = abs(printed) if parameter.is_rate else printed
         measure = parameter.unit.measures
         usual = self.unit_of(measure)
+        if parameter.found:  # a result like all others, with as many digits
+            return Value(Name("parameter", parameter.symbol), measure, shown, Constant(shown))
         value = Value(Name("parameter", parameter.symbol), measure, shown)
         if parameter.unit.name == usual:
             return value
@@ -183,7 +185,7 @@ class Task:
     @cached_property
     def stated_rates(self) -> dict[str, Value]:
         """The rates that a scene states as numbers, by the letters that its sheet gives them; magnitudes, no zeros."""
-        if self.variant.family.folder is not None:
+        if not self.is_own_scene:
             return {}
         found = {}
         for datum in literal_data(self.form):
@@ -193,6 +195,18 @@ class Task:
                 size = float(f"{printed:.{_DIGITS}g}")
                 found[datum.name] = Value(Name("parameter", datum.name), datum.measures, size)
         return found
+
+    @property
+    def is_own_scene(self) -> bool:
+        """Whether the mechanism is that of a file by itself, whose sheet the program makes."""
+        return self.variant.family.folder is None
+
+    @property
+    def stated_radii(self) -> dict[str, list[float]]:
+        """The radii of each body that its file states as numbers; of a scene also those of its wheels, as its sheet."""
+        places = self.in_metres.z if self.is_own_scene else {}
+        stated = literal_radii(self.form, places).items()
+        return {body: [radius / self.length_unit for radius in radii] for body, radii in stated}
 
     def unit_of(self, measure: str) -> str:
         """The name of the unit in which a measure is printed in this solution."""
@@ -213,7 +227,11 @@ class Task:
         An angle is a plain number, or in ``degrees``; ``known`` quantities are not written out.
         """
         if not known:
-            return self._translator.translate(expression, degrees)
+            key = ("expressed", expression, degrees)
+            if key not in self.remembered:
+                self.remembered[key] = self._translator.translate(expression, degrees)
+            found: Expression | None = self.remembered[key]
+            return found
         return replace(self._translator, named=lambda name: known.get(name) or self._named(name)).translate(expression)
 
     def drawn_radius(self, body: str | None, centre: str, exact: float) -> Expression | None:
