@@ -61,10 +61,12 @@ class Motion:
         return display("motion_html", self)
 
     def length_scale(self) -> Field:
-        """Largest distance of a point from the centre of all points (m), shape (N,); 1 m for a single point."""
+        """Largest distance of a point from the centre of all points (m), shape (N,); of a single point at least 1 m,
+        or its distance from the origin, whose rounding its motion shows.
+        """
         places = np.array(list(self.z.values()))
         size = np.max(np.abs(places - np.mean(places, axis=0)), axis=0)
-        result: Field = np.where(size > 0, size, 1.0)
+        result: Field = np.where(size > 0, size, np.maximum(1.0, np.abs(places[0])))
         return result
 
     def take(self, index: NDArray[Any]) -> Motion:

@@ -17,6 +17,7 @@ from variantgen.families.family import Form
 from variantgen.families.figure_hints import DiscMark
 from variantgen.families.literal_data import literal_data, literal_radii
 from variantgen.families.parameters.expressions import FamilyExpression
+from variantgen.families.parameters.solved_law import SolvedLaw
 from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import Quantity, motion_order
 from variantgen.mechanism.linkage import Linkage
@@ -245,15 +246,23 @@ class Task:
                 return found
         return None
 
+    def _solved(self, derived: SolvedLaw) -> Value:
+        """The place or the velocity of a law that has been integrated numerically."""
+        name = derived.law.own
+        measure = self.form.laws[name].rate_measure(derived.part)
+        number = float(unit(self.unit_of(measure)).from_si(self.read(derived)))
+        return Value(Name("parameter", name, dots=derived.part), measure, number, Constant(number))
+
     @cached_property
     def _translator(self) -> Translator:
         return Translator(self._named, self.form.derived.get, self.unit_of)
 
     def _named(self, name: str) -> Expression | None:
-        """A parameter as its value, a choice as its number."""
+        """A parameter as its value, a choice as its number, what is integrated numerically as its value too."""
         parameter = self.form.parameters.get(name)
         if parameter is None:
-            return None
+            derived = self.form.derived.get(name)
+            return self._solved(derived) if isinstance(derived, SolvedLaw) else None
         return Constant(float(self.variant.printed[name])) if parameter.unit is None else self.given[name]
 
 
