@@ -189,6 +189,26 @@ def test_two_radii_of_a_body_are_given_and_have_the_same_names_in_the_solution(t
     (tmp_path / "drum.toml").write_text(DIFFERENTIAL_DRUM, "utf-8")
     out = _shown(capsys, str(tmp_path / "drum.toml"), "--explain", "--lang", "en")
     assert "Given: r_drum = 12 cm, r_2 drum = 18 cm, r_pulley = 15 cm," in out
-    assert "v_K = (2 rad/s) · r_drum = 2 · 12 = 24 cm/s" in out
-    assert "v_N = (2 rad/s) · r_2 drum = 2 · 18 = 36 cm/s" in out
+    assert "v_K = ω_drum · r_drum = 2 · 12 = 24 cm/s" in out
+    assert "v_N = ω_drum · r_2 drum = 2 · 18 = 36 cm/s" in out
     assert "v_W = 6 cm/s" in out  # one cord gives 24, the other takes 36: (36 - 24) / 2
+
+
+@pytest.mark.parametrize(
+    ("scene", "language", "line"),
+    [
+        ("oblique_guides", "en", "ω_AB = v_A / AP = 10 / 11.88"),
+        ("oblique_guides", "ru", "a_B cos 55° = −a_A cos 50° + a^n_BA a_B = (−3 · cos 50° + 14,18) / cos 55°"),
+        ("bead_on_ring_moving", "en", "v_M ξ = v_C − v_rel M cos 30° = 1 − 0.6 · cos 30°"),
+        ("bead_on_ring_moving", "en", "a_rel M = √((a_rel M)_n^2 + (a_rel M)_t^2)"),
+        ("frame_on_cart", "ru", "_rod = −ε_rod/cart = −0,5 рад/с²"),
+        ("excavator", "en", "_HG = −v_HG = −0.05 m/s"),
+    ],
+)
+def test_the_solution_has_a_given_rate_by_its_letter(scene, language, line, capsys):
+    assert line in _shown(capsys, str(KINDS / f"{scene}.toml"), "--explain", "--lang", language)
+
+
+def test_what_is_given_on_a_circle_is_the_tangential_acceleration(capsys):
+    out = _shown(capsys, str(KINDS / "bead_on_ring_moving.toml"))
+    assert "v_rel M = 0.6 m/s, (a_rel M)_t = 0.2 m/s²" in out

@@ -75,6 +75,30 @@ def test_strands_share_the_motion(scene: Scene, ropes: list[tuple[str, ...]], pa
     assert found["a_B.y"] == pytest.approx(-0.6 / part, rel=1e-12)
 
 
+FOUR = HEAD + "".join(f"[[joints]]\nguide = {{ point = '{p}', angle = 90 }}\n" for p in "AB") + DRIVER
+FOUR += rope("A", "K", "B", "L", "B", "F")
+
+
+def test_a_rope_behind_a_movable_pulley(scene: Scene) -> None:
+    # B rises with a quarter of 1.2. Of its strands the first is hauled in at 1.2, the last one hangs still, and seen
+    # from B those on both sides of a sheave are equally fast: 1.2 - 2 * 0.3.
+    speeds = {"v_rope.A.K": 1.2, "v_rope.K.B": 1.2, "v_rope.B.L": 0.6, "v_rope.B.F": 0.0}
+    found = scene.answers(FOUR, *(word for name in speeds for word in ("--ask", name)))
+    assert found == pytest.approx(speeds, abs=1e-12)
+
+
+def test_the_speed_behind_a_movable_pulley_is_explained(scene: Scene) -> None:
+    # A goes down: the derivative of y_A is negative, and the formula is true with it.
+    asked = ("--ask", "v_rope.B.L", "--ask", "v_A/B.y", "--explain")
+    code, out, _ = scene.run(FOUR, *asked)
+    assert code == 0
+    out = out.replace("\xa0", " ").replace("y\u0307", "y'")
+    assert "v_cord BL = −y'_A − 2 y'_B = 1.2 − 2 · 0.3 = 0.6 m/s" in out
+    assert "v_A/B y = y'_A − y'_B = −1.2 − 0.3 = −1.5 m/s" in out
+    _, out, _ = scene.run(FOUR, *asked, "--lang", "ru")
+    assert "Относительно оси B подвижного" in out
+
+
 def test_a_strand_follows_the_guide_of_its_block(scene: Scene) -> None:
     # D moves along a slope, B hangs on three strands: the rope turns about K.
     guides = "[[joints]]\nguide = { point = 'D', angle = 30 }\n[[joints]]\nguide = { point = 'B', angle = 90 }\n"

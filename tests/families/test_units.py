@@ -166,7 +166,7 @@ rotation = { body = "crank", omega = "1 / t + (R / R)^2 / (1 * t)" }
     [
         ("-100 rpm", "ω_crank = 100 rpm", "ω_crank = π · 100 / 30 = 10.47 rad/s"),
         ("2.5 rev/s", "ω_crank = 150 rpm", "ω_crank = π · 150 / 30 = 15.71 rad/s"),
-        ("4", "ω_crank = 4 rad/s", "(4 rad/s)"),
+        ("4", "ω_crank = 4 rad/s", "v_A = ω_crank · AO = 4 · 0.5 = 2 ft/s"),
     ],
 )
 def test_a_rate_in_turns_is_given_in_rpm_and_brought_to_radians(tmp_path, capsys, omega, given, worked_out):

@@ -12,8 +12,8 @@ from variantgen.algebra.expression import Constant, Expression, Raised, Ratio, S
 from variantgen.families.asking import read_ask
 from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
-from variantgen.methods import compose
 from variantgen.methods.agreement import confirm
+from variantgen.methods.checks import check
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import Task, task_of
 from variantgen.methods.solution.book import Book
@@ -137,7 +137,7 @@ def test_the_message_names_the_method_the_step_and_the_data(monkeypatch: pytest.
 def test_a_number_that_nothing_follows_from_is_checked(monkeypatch: pytest.MonkeyPatch) -> None:
     """Lengths and checks at the end lead to no answer."""
     found = task("slider_crank", "central")
-    right = compose.third_axis
+    right = check.third_axis
 
     def wrong(steps: Sequence[Step]) -> list[Item]:
         *items, last = right(steps)
@@ -145,7 +145,7 @@ def test_a_number_that_nothing_follows_from_is_checked(monkeypatch: pytest.Monke
         number = 1.001 * last.left.exact
         return [*items, Balance(Value(None, last.left.measure, number, Constant(number)), last.right)]
 
-    monkeypatch.setattr(compose, "third_axis", wrong)
+    monkeypatch.setattr(check, "third_axis", wrong)
     with pytest.raises(VerificationError, match="in the step check is off by"):
         solution(found)
 

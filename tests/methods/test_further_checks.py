@@ -9,9 +9,9 @@ import pytest
 
 from tests.methods.given_data import worked_book
 from variantgen.algebra.name import Name
-from variantgen.methods.carrier_frame import from_the_arm
-from variantgen.methods.other_axes import other_axes
-from variantgen.methods.result_check import third_axis
+from variantgen.methods.checks.carrier_frame import from_the_arm
+from variantgen.methods.checks.other_axes import other_axes
+from variantgen.methods.checks.result_check import third_axis
 from variantgen.methods.steps.step import Balance, Body, Item, Sentence, VectorOf
 
 

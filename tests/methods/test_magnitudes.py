@@ -11,7 +11,8 @@ from tests.methods.forms import tasks
 from tests.methods.given_data import worked_book
 from variantgen.algebra.expression import Constant
 from variantgen.methods import compose
-from variantgen.methods.magnitudes import magnitudes
+from variantgen.methods.checks import check
+from variantgen.methods.checks.magnitudes import magnitudes
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Ascending, Item, Sentence
 from variantgen.variants.attempts import VerificationError
@@ -76,16 +77,16 @@ def test_a_base_point_does_not_bound_what_was_found_from_it() -> None:
 
 def test_numbers_that_do_not_rise_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     (task,) = tasks("falling_rod", "", 1)
-    right = compose.magnitudes
+    right = check.magnitudes
 
     def wrong(*arguments: object) -> list[Item]:
         sentence, last = right(*arguments)  # type: ignore[arg-type]
         assert isinstance(last, Ascending)
         return [sentence, Ascending(last.values[::-1])]
 
-    monkeypatch.setattr(compose, "other_axes", lambda *_: [])  # a bound comes last
+    monkeypatch.setattr(check, "other_axes", lambda *_: [])  # a bound comes last
     compose.solution(task)
-    monkeypatch.setattr(compose, "magnitudes", wrong)
+    monkeypatch.setattr(check, "magnitudes", wrong)
     with pytest.raises(VerificationError, match="the order of magnitudes in the step check"):
         compose.solution(task)
 

@@ -68,6 +68,13 @@ def test_collinear_vectors_are_subtracted_before_they_are_projected() -> None:
     assert "v_C′/B = (220 − 121) · cos" in solved("sleeve_on_crank", "", "146")[0]
 
 
+def test_one_vector_over_the_other_is_a_tangent() -> None:
+    # A wedge of 30 degrees that moves at 60: the rod goes up at 60 sin 30 / cos 30.
+    variant = one_variant("wedge_and_rod", {"alpha": 30, "v": 60}, form="vertical", seed="1")
+    text = str(explain(variant, language="en")).replace("\xa0", " ")
+    assert f"v_A = 60 · tan 30° = 20√3 ≈ {20 * sqrt(3):.2f} cm/s" in text
+
+
 def test_a_normal_component_that_vanishes_is_named_once() -> None:
     text, _ = solved("sleeve_on_crank", "", "146")
     assert text.count("ω_AB = 0, so (a_B/A)_n = 0.") == 1

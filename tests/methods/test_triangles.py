@@ -49,7 +49,9 @@ def test_one_law_of_cosines_and_one_of_sines_in_general() -> None:
     assert text.count("arccos") == 2  # in symbols and in numbers
     assert text.count("law of sines") == 1
     cab = math.degrees(math.asin(32 * math.sin(math.radians(acb)) / 40))
-    assert text.index(f"= {cab:.2f}°") < text.index(f"sin({cab:.2f}° + 29.02°)")  # the check alone needs it
+    oab = 180 - 75 - math.degrees(math.atan2(19.319, 34.824)) - cab
+    assert f"= {oab:.2f}°" in text and "∠CAB" not in text
+    assert f"sin(75° + {oab:.2f}°)" in text  # the check has the angle of AB with OC, exterior in the triangle of P
 
 
 @pytest.mark.parametrize(
@@ -122,3 +124,13 @@ def test_the_angles_at_the_base_of_an_isosceles_triangle_are_found_once() -> Non
     assert "Triangle ABM is isosceles:" in text
     assert "∠BAM = arccos(AB / (2 · AM)) = arccos(105.6 / (2 · 68)) ≈ 39.03°" in text
     assert "∠ABM" not in text
+
+
+def test_the_height_is_taken_at_the_end_where_one_sine_is_enough() -> None:
+    # The angle at A is near to a right one, that at B is not: arcsin at B, and A is a sum.
+    text = text_of("four_bar", "crank", OA=26, AB=80, BC=64, OC=60, phi=40)
+    square = 26**2 + 60**2 - 2 * 26 * 60 * math.cos(math.radians(40))  # CA by the law of cosines
+    abc = math.degrees(math.acos((80**2 + 64**2 - square) / (2 * 80 * 64)))
+    assert f"= {abc:.2f}°" in text
+    assert "∠ABC = arcsin(AP sin ∠P / AB)" in text
+    assert "∠OAB = ∠ABC + ∠P" in text

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import json
 import shutil
+from contextlib import suppress
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from variantgen.check.family import check_family
@@ -13,6 +15,8 @@ from variantgen.cli.app import main
 from variantgen.errors import InputError
 from variantgen.exam import composed_pools
 from variantgen.families.asking import read_ask
+from variantgen.families.family import Form
+from variantgen.families.method_names import METHODS
 from variantgen.families.reading.cases import load_cases
 from variantgen.families.reading.load import load_family
 from variantgen.methods.compose import solution
@@ -22,6 +26,7 @@ from variantgen.synthesis.levels import level
 from variantgen.synthesis.recognition import structures_of
 from variantgen.synthesis.structures import parse_code
 from variantgen.variants.draw import draw
+from variantgen.variants.variant import Variant
 
 
 @pytest.fixture(scope="module")
@@ -233,7 +238,62 @@ def test_a_gear_at_the_end_is_turned_by_the_gear_on_a_link(tmp_path: Path) -> No
     assert motion.omega["gear1"][0] * own == pytest.approx(-motion.omega["O1B"][0] * other, rel=1e-9)
 
 
-@pytest.mark.parametrize("text", ["RRR01-WR30", "RRP10-WR30", "RRR01-WR20-RRR04"])
+@pytest.mark.parametrize("name", ["RRR01-WR02", "RRP01-WR02"])
+def test_a_gear_on_a_moving_axle_rolls_on_a_fixed_one(name: str, tmp_path: Path) -> None:
+    """Its pitch point is at rest: by hand, from the speed of the axle and the data of the sheet."""
+    form, variant = _terminal(name, tmp_path)
+    motion, arm = variant.motion(), next(iter(form.bodies["gear1"]))
+    radius = float(variant.printed["r"] if "R" not in variant.printed else variant.printed[_own(form)]) / 100
+    turned = motion.omega["gear1"][0]
+    assert abs(turned) * radius == pytest.approx(abs(motion.v[arm][0]), rel=1e-9)
+    link = next(body for body, points in form.bodies.items() if arm in points and "O1" in points)
+    assert np.sign(turned) == np.sign(motion.omega[link][0])  # outside a fixed gear: in the sense of its arm
+    if len(form.bodies["gear1"]) > 1:  # a point of the rim across the line of centres
+        rim = form.bodies["gear1"][1]
+        assert abs(motion.v[rim][0]) == pytest.approx(abs(motion.v[arm][0]) * 2**0.5, rel=1e-9)
+
+
+def test_a_gear_drives_a_rack(tmp_path: Path) -> None:
+    form, variant = _terminal("RRR01-WP20", tmp_path)
+    motion = variant.motion()
+    slider = next(points[0] for body, points in form.bodies.items() if body.startswith("rack"))
+    radius = float(variant.printed["r"]) / 100
+    assert abs(motion.v[slider][0]) == pytest.approx(abs(motion.omega["O1B"][0]) * radius, rel=1e-9)
+    assert abs(motion.a[slider][0]) == pytest.approx(abs(motion.epsilon["O1B"][0]) * radius, rel=1e-9)
+
+
+def test_a_rack_on_a_slider_drives_a_gear(tmp_path: Path) -> None:
+    _, variant = _terminal("RRP10-WR30", tmp_path)
+    motion, radius = variant.motion(), float(variant.printed["r"]) / 100
+    assert abs(motion.omega["gear1"][0]) * radius == pytest.approx(abs(motion.v["B"][0]), rel=1e-9)
+
+
+def _terminal(name: str, folder: Path) -> tuple[Form, Variant]:
+    """A variant of a composed structure, which is that of its family and is solved by three methods."""
+    assert main(["compose", "--structure", name, "--seed", "1", "--out", str(folder / "made")]) == 0
+    family = load_family(folder / "made")
+    form = next(iter(family.forms.values()))
+    assert parse_code(name) in structures_of(form.sample)
+    assert not check_family(str(folder / "made"), seeds=4).failures
+    variant = draw(family, None, [("end", 1)])[0]
+    asked = read_ask(variant.form)
+    task = task_of(variant, variant.motion(), 0, asked)
+    solved = 0
+    for method in METHODS:
+        with suppress(InputError):
+            solved += len(solution(task, [method]).answers) == len(asked)
+    assert solved >= 3
+    return form, variant
+
+
+def _own(form: Form) -> str:
+    """The name of the radius of the last gear."""
+    return next(str(disc.name) for disc in form.figure.discs if disc.body == "gear1")
+
+
+@pytest.mark.parametrize(
+    "text", ["RRR01-WR30", "RRP10-WR20", "RRR01-WR20-RRR04", "RRR01-WR01", "RRR01-WP02", "RRP10-WP30"]
+)
 def test_a_gear_hangs_on_a_link_about_a_fixed_axis(text: str) -> None:
     with pytest.raises(InputError, match="code of a structure"):
         parse_code(text)
@@ -248,7 +308,7 @@ def test_a_wheel_hangs_on_a_rod_and_carries_nothing(text: str) -> None:
 def test_structures_are_listed_and_drawn(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["list", "--structures"]) == 0
     lines = capsys.readouterr().out.splitlines()
-    assert len(lines) == 6 + 68 + 9 + 3  # those that end with a rolling wheel, and with a gear
+    assert len(lines) == 6 + 68 + 9 + 10  # those that end with a rolling wheel, and with a gear or a rack
     assert next(line for line in lines if line.startswith("RRR01 ")).split()[1:4] == ["easy", "four_bar", "crank,"]
     page = tmp_path / "structures.html"
     assert main(["list", "--structures", "--links", "3", "--figure", str(page)]) == 0

@@ -74,8 +74,7 @@ def test_arcs_of_neighbouring_angles_have_room(size: float, said: str) -> None:
 
 def test_variants_are_seen_on_which_a_link_lies_across_a_wheel() -> None:
     draft = _draft(O1=140 + 0j, C=100 + 60j, D=180 + 60j)
-    draft.data["r"] = Datum("cm", 20, 2, 2)
-    draft.wheels.append(("O1", "r"))
+    draft.wheel("O1", draft.radius("r", 20))
     draft.bars += [("O", "O1"), ("C", "D")]
     places = {name: np.array([z, z]) for name, z in draft.z.items()}
     places |= {name: np.array([places[name][0], places[name][0] - 39j]) for name in "CD"}

@@ -10,9 +10,10 @@ import pytest
 from variantgen.errors import InputError
 from variantgen.families.reading.load import load_family
 from variantgen.synthesis.recognition import structures_of
-from variantgen.synthesis.structures import code, is_textbook, parse_code, structures, textbook_structures
+from variantgen.synthesis.structures import code, is_textbook, moving_links, parse_code, structures, textbook_structures
+from variantgen.synthesis.terminal import geared_structures, rolling_structures
 
-R, P = 1, 2
+R, P, W = 1, 2, 3
 ALL = ("RRR", "RRP", "RPR", "PRP", "RPP")
 
 
@@ -86,10 +87,61 @@ def test_textbook_structures() -> None:
     assert len(textbook_structures()) == 6 + 68 + 739
 
 
+def _ends(matrix: np.ndarray) -> tuple[int, int]:
+    """The two links of the group that drives nothing else."""
+    joints = (matrix > 0).sum(axis=0)
+    return next((j, j + 1) for j in range(2, len(matrix), 2) if joints[j] == joints[j + 1] == 2)
+
+
+def _sliders(matrix: np.ndarray) -> list[int]:
+    """Of these the slider in a fixed guide, pinned to a rod that is pinned to a moving link."""
+    found = []
+    for slider, rod in (_ends(matrix), _ends(matrix)[::-1]):
+        others = [link for link in range(1, len(matrix)) if matrix[rod, link] and link != slider]
+        if matrix[slider, 0] == P and matrix[slider, rod] == R and others and matrix[rod, others[0]] == R:
+            found.append(slider)
+    return found
+
+
+def _with_link(matrix: np.ndarray, joints: dict[int, int]) -> np.ndarray:
+    """The matrix with one link more that has these joints."""
+    size = len(matrix)
+    found = np.zeros((size + 1, size + 1), dtype=np.int8)
+    found[:size, :size] = matrix
+    for link, joint in joints.items():
+        found[link, size] = found[size, link] = joint
+    return found
+
+
+def _geared(matrix: np.ndarray) -> list[np.ndarray]:
+    """Gears and racks on a last group: driven by a gear of a link about a fixed axis, carried by it round a fixed gear,
+    driven by the rack of a slider; with the screens of textbooks for joints of the frame and slides.
+    """
+    turning = [link for link in _ends(matrix) if matrix[link, 0] == R]
+    ends = [{link: W, 0: R} for link in turning + _sliders(matrix)]
+    ends += [{link: R, 0: W} for link in turning] + [{link: W, 0: P} for link in turning]
+    found = [_with_link(matrix, joints) for joints in ends]
+    return [m for m in found if (m[0] > 0).sum() <= 4 and (m == P).sum() // 2 <= 2]
+
+
 def test_textbook_structures_by_permutations() -> None:
-    for size, count in enumerate((6, 68), start=1):
-        assert sum(map(_textbook, _enumerated(size, ALL))) == count
-    assert len(_enumerated(3, ALL, most=3)) == 739
+    """With those that end with a wheel, a gear or a rack."""
+    every = [[m for m in _enumerated(size, ALL) if _textbook(m)] for size in (1, 2)] + [_enumerated(3, ALL, most=3)]
+    assert [len(found) for found in every] == [6, 68, 739]
+    rolling = []
+    for found in every:
+        seen = set()
+        for matrix in found:
+            for slider in _sliders(matrix):
+                wheel = matrix.copy()
+                wheel[0, slider] = wheel[slider, 0] = W
+                seen.add(_certificate(wheel))
+        rolling.append(len(seen))
+    assert rolling == [1, 8, 70]
+    assert len(rolling_structures(7)) == sum(rolling)
+    geared = [len({_certificate(new) for matrix in found for new in _geared(matrix)}) for found in every[:2]]
+    assert geared == [10, 60]
+    assert [sum(moving_links(s) == n for s in geared_structures(6)) for n in (4, 6)] == geared
 
 
 def test_a_code_is_that_of_all_orders_of_growth() -> None:

@@ -55,4 +55,5 @@ class Name(NamedTuple):
 
     def component(self, word: str) -> Name:
         """A component of this vector: one of COMPONENTS, or along or across a line (``along_AC``)."""
-        return self._replace(part=f"{self.part} {word}".strip())
+        part = f"{self.part} {word}" if self.part else word
+        return Name(self.kind, self.of, self.about, part, self.body, self.dots)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import keyword
+import re
 from collections.abc import Mapping
 
 from variantgen.algebra.decimals import SURE_DIGITS, rounded_to_digits
@@ -43,7 +44,7 @@ def identifier(name: Name) -> str:
     if name.kind == "parameter" and name.dots:
         return f"{name.of}_{'d' * name.dots}ot"
     if name.kind == "parameter":
-        return f"{name.of}_0" if name.of in _TAKEN else name.of
+        return f"{name.of}_0" if name.of in _TAKEN else re.sub(r"\W", "_", name.of)  # omega_rod/cart
     if name.kind == "length":
         return name.of + name.about
     return f"{_KINDS[name.kind]}_{name.of}{name.about}"

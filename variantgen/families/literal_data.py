@@ -7,8 +7,9 @@ of the point or body that they drive.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import Any
 
 from variantgen.families.family import ComponentTemplate, Form
@@ -65,7 +66,8 @@ def literal_data(form: Form) -> Iterator[LiteralDatum]:
         yield from _rates(template, form)
 
 
-def literal_radii(form: Form) -> dict[str, list[float]]:
+@lru_cache(maxsize=1000)
+def literal_radii(form: Form) -> Mapping[str, Sequence[float]]:
     """The radii (m) of each body in joints and ropes, in the order of the file, each once."""
     found: dict[str, list[float]] = {}
     for template in form.joints:
@@ -100,7 +102,8 @@ def rate_name(template: ComponentTemplate, field: str) -> str:
             other = fields.get("relative_to")
             return f"{field}_{fields['body']}" + (f"/{other}" if other else "")
         case "relative_travel" | "circling":
-            return f"{field}_rel_{fields['point']}"
+            along = ".t" if field == "a" and _kind(template) == "circling" else ""  # the normal one follows from v
+            return f"{field}_rel_{fields['point']}{along}"
         case "extension":
             return f"{field}_{fields['start']}{fields['end']}"
     return f"{field}_{next(value for value in fields.values() if isinstance(value, str))}"

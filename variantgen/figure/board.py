@@ -78,6 +78,13 @@ class Board:
         """Whether a disc about the point is drawn."""
         return any(disc.centre == point and not disc.arc for disc in self.form.figure.discs)
 
+    def rims(self, point: str) -> list[float]:
+        """The radii (u) of the discs drawn about a point."""
+        drawn = {name: iter(radii) for name, radii in self.discs.items()}
+        marks = [disc for disc in self.form.figure.discs if not disc.arc and disc.body in drawn]
+        radii = [(disc.centre, next(drawn[disc.body], 0.0)) for disc in marks]
+        return [radius for centre, radius in radii if centre == point]
+
     def is_translated(self, point: str) -> bool:
         """Whether a point belongs to bodies that a joint keeps from turning, and to no other."""
         owners = self.owners(point)

@@ -117,7 +117,7 @@ def take_scene(scene: Scene, index: NDArray[Any] | int, size: int) -> Scene:
 
     def cut(item: Any) -> Any:
         changes = {name: short for name, value in vars(item).items() if (short := shortened(value)) is not value}
-        return replace(item, **changes) if changes else item
+        return type(item)(**(vars(item) | changes)) if changes else item
 
     def shortened(value: Any) -> Any:
         """An array over the batch or a tuple of parts with the chosen variants; anything else as it is."""

@@ -2,15 +2,39 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 
 import numpy as np
 
-from variantgen.mechanism.arithmetic import dot
+from variantgen.mechanism.arithmetic import Complex, dot
 from variantgen.mechanism.joints.rope import Bend, Rope
 from variantgen.mechanism.motion import Field, Motion
 from variantgen.mechanism.rows import Placement
 from variantgen.mechanism.scene import Scene
+
+
+@dataclass(frozen=True)
+class RopeWay:
+    """The way from an end of a rope to one of its pieces: the bends passed, the end first.
+
+    ``pieces`` are the numbers of the straight pieces on it, ``sense`` is -1 where it leads from the last bend.
+    """
+
+    rope: Rope
+    bends: tuple[Bend, ...]
+    pieces: tuple[int, ...]
+    sense: int
+
+    def rays(self, at: Placement) -> list[Complex]:
+        """The unit vectors on paper along its pieces, away from the end."""
+        found = self.rope.pieces(at)
+        return [self.sense * found[number][0] for number in self.pieces]
+
+    def rim(self, at: Placement) -> float:
+        """What the rotation of the drum at the end is multiplied by to give the velocity of the rope away from it."""
+        end = self.bends[0]
+        return float(-self.sense * at.frame.sense * end.side * end.radius)
 
 
 @dataclass(frozen=True)
@@ -20,19 +44,21 @@ class RopePiece:
     rope: Rope
     number: int
 
-    def ways(self) -> tuple[tuple[Bend, ...], ...]:
-        """The bends from each end of the rope to the piece, the end first."""
-        return self.rope.path[: self.number + 1], self.rope.path[: self.number : -1]
-
     @property
     def ends(self) -> tuple[str, str]:
         """The points of the bends at its ends."""
         first, second = self.rope.path[self.number : self.number + 2]
         return first.point, second.point
 
-    def ray_at(self, end: Bend, at: Placement) -> complex:
-        """The direction (unit vector on paper) of the straight piece at an end of the rope."""
-        return complex(self.rope.pieces(at)[0 if end is self.rope.path[0] else -1][0])
+    def way(self, resting: Collection[str]) -> RopeWay | None:
+        """The way over fewest moving pulleys from an end whose motion tells that of the rope; None for no such end."""
+        last = len(self.rope.path) - 1
+        ways = (
+            RopeWay(self.rope, self.rope.path[: self.number + 1], tuple(range(self.number + 1)), 1),
+            RopeWay(self.rope, self.rope.path[: self.number : -1], tuple(range(last - 1, self.number - 1, -1)), -1),
+        )
+        told = [way for way in ways if way.bends[0].body is None or way.bends[0].point in resting]
+        return min(told, key=lambda way: sum(bend.point not in resting for bend in way.bends[1:]), default=None)
 
 
 def rope_pieces(scene: Scene) -> list[RopePiece]:
@@ -46,8 +72,8 @@ def rope_piece(scene: Scene, first: str, second: str) -> RopePiece | None:
     return next((piece for piece in rope_pieces(scene) if {*piece.ends} == {first, second}), None)
 
 
-def rope_speed(motion: Motion, piece: RopePiece) -> Field:
-    """The magnitude of the velocity of the rope along a piece (m/s), shape (N,).
+def rope_velocity(motion: Motion, piece: RopePiece) -> Field:
+    """The velocity of the rope along a piece (m/s), shape (N,), positive towards the last bend.
 
     At the first bend ``w_0 = u_0.v_0 - s_0 r_0 omega_0`` (of a drum; the end of a rope has no radius), behind a pulley
     with the velocity v ``w_j = w_(j-1) + (u_j - u_(j-1)).v``, as the rope keeps its speed relative to the pulley.
@@ -64,4 +90,9 @@ def rope_speed(motion: Motion, piece: RopePiece) -> Field:
         speed = speed - frame.sense * first.side * first.radius * motion.omega[first.body]
     for number in range(1, piece.number + 1):
         speed = speed + carried(rope.path[number], rays[number] - rays[number - 1])
-    return np.abs(speed)
+    return np.asarray(speed)
+
+
+def rope_speed(motion: Motion, piece: RopePiece) -> Field:
+    """The magnitude of the velocity of the rope along a piece (m/s), shape (N,)."""
+    return np.abs(rope_velocity(motion, piece))

@@ -9,14 +9,11 @@ from variantgen.algebra.expression import Value
 from variantgen.errors import InputError
 from variantgen.families.quantities import Quantity
 from variantgen.methods.agreement import confirm, confirm_answers
-from variantgen.methods.carrier_frame import from_the_arm
+from variantgen.methods.checks.check import check_of, third_axis_of
+from variantgen.methods.checks.result_check import by_links
 from variantgen.methods.choice import WHOLE, choose
 from variantgen.methods.linkage.problem import Task
-from variantgen.methods.magnitudes import magnitudes
 from variantgen.methods.natural_answers import by_choice, found_by, method_names, work_out
-from variantgen.methods.other_axes import other_axes
-from variantgen.methods.other_base_point import other_base_point
-from variantgen.methods.result_check import by_links, equal_projections, third_axis
 from variantgen.methods.solution.book import Book
 from variantgen.methods.solution.position import with_position
 from variantgen.methods.solution.second_reading import read_again
@@ -27,7 +24,6 @@ from variantgen.methods.steps.point_vectors import PointVectors
 from variantgen.methods.steps.printed_digits import choose_printed_digits, follow_printed_digits, items_values
 from variantgen.methods.steps.step import Item, ProgramListing, Solution, Step
 from variantgen.methods.vectors.point_vectors import point_vectors
-from variantgen.methods.velocity_check import base_point_of_velocities
 
 _LINK_BY_LINK = "three_rates"  # the method for a whole problem whose steps are those of its links
 
@@ -55,11 +51,7 @@ def _by_groups(book: Book, found: dict[str, Value]) -> Solution:
     """The solution group by group."""
     task = book.task
     steps = used_steps(book.steps, found.values())
-    check = tuple(third_axis(steps) or other_base_point(book, steps))
-    # Only what answers need is compared: the check of velocities works out no angular velocity of its own.
-    check = check or tuple(base_point_of_velocities(book, used_lines(steps, found.values())))
-    check = check or tuple(equal_projections(book) or other_axes(book, steps) or from_the_arm(book, steps))
-    check = check or tuple(magnitudes(book, steps))
+    check = check_of(book, steps, list(found.values()))
     results = [*found.values(), *items_values(check)]
     steps = used_lines(steps, results)
     steps = with_position(task, book.geometry.items, steps, results)
@@ -102,7 +94,7 @@ def _by_one_method(book: Book, name: str, found: dict[str, Value]) -> Solution:
     steps = with_position(book.task, book.geometry.items, ordered, found.values())
     if not measured:
         steps = read_again(steps, found.values())
-    check = tuple(_checked_by_links(book.task) if measured else third_axis(steps))
+    check = tuple(_checked_by_links(book.task)) if measured else third_axis_of(steps, list(found.values()))
     items, answers = [*(item for step in steps for item in step.items), *check], list(found.values())
     if measured:
         follow_printed_digits(items, answers, measured + 1)

@@ -77,8 +77,10 @@ def work_out(book: Book) -> dict[str, Value]:
     """Velocities, then accelerations if any are asked; the answers by the names of the quantities, in their order."""
     task = book.task
     groups = solve_groups.velocities(book) if task.sought else []
-    found = {q.name: answer(solve_groups.at_order(book, 1), q) for q in task.asked if q.order < 2}
+    first = solve_groups.at_order(book, 1)
+    found = {q.name: answer(first, q) for q in task.asked if q.order < 2}
     if task.order == 2:
         solve_groups.accelerations(book, groups)
-        found |= {q.name: answer(solve_groups.at_order(book, 2), q) for q in task.asked if q.order == 2}
+        second = solve_groups.at_order(book, 2)
+        found |= {q.name: answer(second, q) for q in task.asked if q.order == 2}
     return {q.name: found[q.name] for q in task.asked}

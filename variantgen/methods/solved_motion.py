@@ -188,6 +188,8 @@ class SolvedMotion:
     def derived(self, name: Name, measure: str) -> list[float]:
         """The derived quantity of the family of that name; of another name that no datum bears, any law of time."""
         form = self.task.form
+        if name.of in self.task.stated_rates:
+            return []
         if name.kind != "parameter" or any(name.of == parameter.symbol for parameter in form.parameters.values()):
             return []
         names = [name.of] if name.of in form.derived else laws(form)

@@ -21,7 +21,8 @@ from variantgen.resources import templates_dir
 from variantgen.synthesis.compose import sketched
 from variantgen.synthesis.levels import level
 from variantgen.synthesis.recognition import structures_of
-from variantgen.synthesis.structures import Structure, code, geared_structures, rolling_structures, textbook_structures
+from variantgen.synthesis.structures import Structure, code, textbook_structures
+from variantgen.synthesis.terminal import geared_structures, rolling_structures
 from variantgen.variants.draw import draw
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.language import load_language

@@ -11,7 +11,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.synthesis.draft import Draft
+from variantgen.synthesis.draft import Draft, Wheel
 
 Bar: TypeAlias = tuple[str, str]
 _SMALLEST = 80.0  # cm: while the first links are laid out, the mechanism counts as large as this
@@ -48,11 +48,9 @@ def crossed(draft: Draft, z: Mapping[str, NDArray[np.complex128]]) -> NDArray[np
     size = np.maximum(np.ptp(places.real, axis=0), np.ptp(places.imag, axis=0))
     for point, bar in _near_guides(draft):
         found |= _cross(_with_guide(draft, z, point, size), ("start", "end"), bar)
-    for centre, radius in draft.wheels:
-        largest = draft.value(radius) + draft.data[radius].spread
-        for bar in draft.bars:
-            if centre not in bar:
-                found |= _off(z, centre, bar) < largest
+    for wheel in draft.wheels:
+        for bar in _off_wheel(draft, wheel):
+            found |= _off(z, wheel.centre, bar) < wheel.largest
     for one, other in combinations(draft.bars, 2):
         if not _joined(draft, one, other):
             found |= _cross(z, one, other)
@@ -82,15 +80,20 @@ def _on_bars(draft: Draft) -> str:
 
 def _on_wheels(draft: Draft) -> str:
     """A link or a point in the way of a wheel."""
-    for centre, radius in draft.wheels:
-        need = _OFF_WHEEL * draft.value(radius)
-        for bar in draft.bars:
-            if centre not in bar and _off(draft.z, centre, bar) < need:
+    for wheel in draft.wheels:
+        need = _OFF_WHEEL * wheel.radius
+        for bar in _off_wheel(draft, wheel):
+            if _off(draft.z, wheel.centre, bar) < need:
                 return f"{bar[0]}{bar[1]} on the wheel"
         for name in _visible(draft):
-            if name != centre and draft.distance(centre, name) < need:
+            if name not in (wheel.centre, *wheel.touching) and draft.distance(wheel.centre, name) < need:
                 return f"{name} on the wheel"
     return ""
+
+
+def _off_wheel(draft: Draft, wheel: Wheel) -> list[Bar]:
+    """The bars that must not lie across a wheel: those that neither end at its centre nor touch it."""
+    return [bar for bar in draft.bars if not {wheel.centre, *wheel.touching} & set(bar)]
 
 
 def _bars(draft: Draft) -> str:

@@ -44,6 +44,16 @@ class Attachment:
     towards: str = ""
 
 
+@dataclass(frozen=True)
+class Wheel:
+    """A circle that others keep off: its centre, radius (cm) and the largest of all variants, points that touch it."""
+
+    centre: str
+    radius: float
+    largest: float
+    touching: tuple[str, ...] = ()
+
+
 @dataclass
 class Link:
     """A moving link: a bar between two points, or a block on a pin (``end`` is empty).
@@ -81,7 +91,7 @@ class Draft:
     hints: dict[str, list[Any]] = field(default_factory=dict)
     inside: list[tuple[str, str, str]] = field(default_factory=list)
     bars: list[tuple[str, str]] = field(default_factory=list)
-    wheels: list[tuple[str, str]] = field(default_factory=list)  # centre, name of the radius
+    wheels: list[Wheel] = field(default_factory=list)
     sentences: list[tuple[str, Facts]] = field(default_factory=list)
     position: list[tuple[str, Facts]] = field(default_factory=list)
     asked: list[list[str]] = field(default_factory=list)
@@ -111,6 +121,16 @@ class Draft:
         rounded = _LENGTH_STEP * round(value / _LENGTH_STEP)
         self.data[name] = Datum("cm", rounded, _LENGTH_STEP, spread * rounded)
         return name
+
+    def radius(self, name: str, value: float, spread: float = 2) -> str:
+        """A printed radius under its name, with the spread (cm) of its grid; returns the name."""
+        self.data[name] = Datum("cm", value, _LENGTH_STEP, spread)
+        return name
+
+    def wheel(self, centre: str, radius: str, *touching: str) -> None:
+        """A wheel of a printed radius about a point."""
+        datum = self.data[radius]
+        self.wheels.append(Wheel(centre, datum.value, datum.value + datum.spread, touching))
 
     def angle(self, value: float, at: str, start: str, end: str) -> str:
         """A printed angle marked in the figure, the value in whole steps; returns its name."""

@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from variantgen.synthesis.attachments import hinge_on, line_on
 from variantgen.synthesis.directions import between, off_line, way
-from variantgen.synthesis.draft import WHEEL, Attachment, Datum, Draft, LayoutError, Link
+from variantgen.synthesis.draft import WHEEL, Attachment, Draft, LayoutError, Link
 from variantgen.synthesis.dyad_parts import (
     FIXED,
     LEAST,
@@ -19,7 +19,7 @@ from variantgen.synthesis.dyad_parts import (
     on_bar,
     slide,
 )
-from variantgen.synthesis.gears import gear_in_mesh
+from variantgen.synthesis.gears import gear, rack
 from variantgen.synthesis.sliding_dyads import collar, two_guides, yoke
 from variantgen.synthesis.structures import FRAME, AssurGroup
 
@@ -141,12 +141,12 @@ def _rod_and_wheel(draft: Draft, links: tuple[int, int], dyad: AssurGroup, _: di
         raise LayoutError("a dead point is near")
     if (draft.z[centre] - draft.z[at.point]).imag > 0:
         raise LayoutError("the rod comes from below the line")
-    draft.data["r"] = Datum("cm", draft.rng.choice((16, 18, 20)), 2, 2)
+    draft.radius("r", draft.rng.choice((16, 18, 20)))
     draft.polar("P", centre, "r", -90, {"angle": "-90*deg"})
     draft.joint("rolling", body=WHEEL, centre=centre, contact="P")
     draft.bodies[WHEEL] = [centre, "P"]
     draft.symbols[WHEEL] = "1"
-    draft.wheels.append((centre, "r"))
+    draft.wheel(centre, "r")
     draft.hint("hidden", "P")  # and its radius is given
     draft.hint("discs", {"centre": centre, "radius": "r", "name": "r", "body": WHEEL})
     draft.bar(links[0], "rod", at.point, centre)
@@ -220,7 +220,8 @@ _PLACING: dict[str, Callable[[Draft, tuple[int, int], AssurGroup, dict[int, str]
     "RRR": _two_rods,
     "RRP": _rod_and_slider,
     "RRW": _rod_and_wheel,
-    "WR": gear_in_mesh,
+    "WR": gear,
+    "WP": rack,
     "RPR": collar,
     "PRP": two_guides,
     "RPP": yoke,

@@ -85,4 +85,6 @@ def _value(value: Any) -> str:
         return _inline(value)
     if isinstance(value, list | tuple):
         return "[" + ", ".join(map(_value, value)) + "]"
+    if isinstance(value, bool):
+        return str(value).lower()
     return json.dumps(value, ensure_ascii=False) if isinstance(value, str) else f"{value:g}"

@@ -5,17 +5,16 @@ from __future__ import annotations
 from variantgen.errors import InputError, Problem
 from variantgen.synthesis.structures import (
     FRAME,
-    GEAR,
     KINDS,
     ROLLING,
+    SINGLE,
     TERMINAL,
     Structure,
-    geared_structures,
     moving_links,
-    rolling_structures,
     sliding_pairs,
     textbook_structures,
 )
+from variantgen.synthesis.terminal import geared_structures, rolling_structures
 
 LEVELS = ("easy", "medium", "hard")
 
@@ -24,9 +23,9 @@ def level(structure: Structure) -> str:
     """What problems of a structure mostly are, with accelerations: easy with one dyad, hard with three.
 
     With two they are hard where the second one hangs on two moving links, or where there is relative motion; else
-    medium; a gear in mesh does not matter. What a family takes in calculations is known when it is made.
+    medium; a gear or a rack at the end does not matter. What a family takes in calculations is known when it is made.
     """
-    dyads = [group for group in structure if group.kind != GEAR]
+    dyads = [group for group in structure if group.kind not in SINGLE]
     if len(dyads) != 2:
         return "easy" if len(dyads) < 2 else "hard"
     relative = any(FRAME not in pair for pair in sliding_pairs(structure))
@@ -44,9 +43,10 @@ def chosen_structures(groups: tuple[str, ...], links: int | None) -> list[Struct
         for kind in groups
         if kind not in (*KINDS, *TERMINAL)
     ]
-    sizes = (4, 6) if GEAR in groups else (3, 5, 7)
+    single = bool(set(groups) & set(SINGLE))
+    sizes = (4, 6) if single else (3, 5, 7)
     if links is not None and links not in sizes:
-        said = "4 or 6 moving links, one of them the gear" if GEAR in groups else "3, 5 or 7 moving links"
+        said = "4 or 6 moving links, one of them the gear or rack" if single else "3, 5 or 7 moving links"
         problems.append(Problem(f"expected {said}", key="links", value=str(links)))
     if problems:
         raise InputError(problems)
@@ -54,8 +54,8 @@ def chosen_structures(groups: tuple[str, ...], links: int | None) -> list[Struct
     known = textbook_structures(most, groups or KINDS)
     if ROLLING in groups:  # the rolling wheel takes the place of a slider
         known = rolling_structures(most, tuple(dict.fromkeys(["RRP", *groups])) if len(groups) > 1 else KINDS)
-    if GEAR in groups:
-        others = tuple(kind for kind in groups if kind != GEAR)
+    if single:
+        others = tuple(kind for kind in groups if kind not in SINGLE)
         known = geared_structures(links or (6 if len(others) > 1 else 4), others or KINDS)
     found = [
         structure

@@ -13,7 +13,17 @@ from variantgen.mechanism.joints.rolling import Rolling
 from variantgen.mechanism.joints.slot import Slot
 from variantgen.mechanism.joints.translation import Translation
 from variantgen.mechanism.scene import Scene
-from variantgen.synthesis.structures import CRANK, FRAME, GEAR, KINDS, ROLLING, AssurGroup, Structure, normal
+from variantgen.synthesis.structures import (
+    CRANK,
+    FRAME,
+    KINDS,
+    ROLLING,
+    SINGLE,
+    AssurGroup,
+    Structure,
+    normal,
+    single_groups,
+)
 
 _Pair = tuple[str, str, str]  # letter of the joint, two links
 _FRAME = "(frame)"
@@ -96,7 +106,7 @@ def _grown(joints: Sequence[_Pair], crank: str) -> Structure | None:
         return None
     found: list[AssurGroup] = []
     while links - known.keys():
-        step = next(_dyads(joints, known), None) or next(_gears(joints, known), None)
+        step = next(_dyads(joints, known), None) or next(_singles(joints, known, tuple(found)), None)
         if step is None:
             return None
         dyad, first, second = step
@@ -105,13 +115,15 @@ def _grown(joints: Sequence[_Pair], crank: str) -> Structure | None:
     return tuple(found) if len(joints) == 1 + sum(len(group.kind) for group in found) else None
 
 
-def _gears(joints: Sequence[_Pair], known: dict[str, int]) -> Iterator[tuple[AssurGroup, str, str]]:
-    """Gears about fixed axes, in mesh with a link that is known; the second name stands for no link."""
-    for letter, gear, other in joints:
-        own = [joint for joint in joints if gear in joint[1:]]
-        fixed = any(kind == "R" and _FRAME in pair for kind, *pair in own)
-        if letter == "W" and gear not in known and known.get(other, FRAME) != FRAME and fixed and len(own) == 2:
-            yield AssurGroup(GEAR, known[other], FRAME), gear, f"({gear})"
+def _singles(joints: Sequence[_Pair], known: dict[str, int], grown: Structure) -> Iterator[tuple[AssurGroup, str, str]]:
+    """Gears and racks that end what is grown; the second name stands for no link."""
+    for new in sorted({link for _, *pair in joints for link in pair} - known.keys()):
+        own = {letter: next(link for link in pair if link != new) for letter, *pair in joints if new in pair}
+        for kind in SINGLE:
+            if own.keys() == set(kind) and set(own.values()) <= known.keys():
+                group = AssurGroup(kind, *(known[own[letter]] for letter in kind))
+                if group in single_groups(grown):
+                    yield group, new, f"({new})"
 
 
 def _dyads(joints: Sequence[_Pair], known: dict[str, int]) -> Iterator[tuple[AssurGroup, str, str]]:

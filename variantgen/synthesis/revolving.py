@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from variantgen.mechanism.motion import ComplexField, Field
 from variantgen.synthesis.draft import CRANK, Draft, Facts
+from variantgen.synthesis.gears import SENTENCES as GEARS
 
 _IN_LINE = 1e-9  # m: a linkage that can be stretched into one line may turn, so its links are no rockers
 
@@ -68,7 +69,7 @@ def _driver_turns(draft: Draft, z: Mapping[str, ComplexField]) -> bool:
 def _lets_turn(draft: Draft, z: Mapping[str, ComplexField], key: str, facts: Facts) -> bool:
     """Whether a group at the end of the driving link lets it turn; of others nothing is known."""
     if facts.get("at_point") != "A":
-        return key == "gear_in_mesh"
+        return key in GEARS  # which keep no link from turning; racks are as long as need be
     crank = np.abs(z["A"] - z["O"])
     if key == "rod_and_rocker":
         pivot, end = facts["pivot"], facts["rocker"].removeprefix(facts["pivot"])

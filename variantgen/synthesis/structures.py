@@ -3,9 +3,8 @@
 Link 0 is the frame, link 1 the crank (hinged to the frame), and the dyad number k has the links 2k and 2k + 1. A dyad
 has an outer joint on an earlier link at either end and an inner joint between its own two links; its kind names them in
 this order, R for a hinge and P for a sliding pair: ``RRP`` on the links 1 and 0 is the rod and the slider of a
-slider-crank mechanism. All joints are simple: each connects two links. At the end of a mechanism a wheel that rolls on
-the frame may take the place of a slider there: ``RRW``. Or a gear about a fixed axis meshes there with a gear on a link
-about another one: ``WR``, one link alone, whose pitch circle rolls (W) on that of the other gear.
+slider-crank mechanism. All joints are simple: each connects two links. What may end a mechanism besides (a wheel that
+rolls, gears, racks) is in :mod:`variantgen.synthesis.terminal`; such a group may be one link alone.
 
 A driven mechanism falls into its dyads in one way only, so two structures are the same if one order of their growth
 is; the code is the smallest of all orders.
@@ -22,8 +21,10 @@ from variantgen.errors import InputError, Problem
 
 KINDS = ("RRR", "RRP", "RPR", "PRP", "RPP")
 ROLLING = "RRW"  # a rod and the wheel hinged to it, to which nothing else is hinged
-GEAR = "WR"  # a gear in mesh with one on a link about a fixed axis; nothing is hinged to it either
-TERMINAL = (ROLLING, GEAR)
+GEAR = "WR"  # a gear alone: its pitch circle rolls (W) on a link or the frame, and it is hinged to the frame or a link
+RACK = "WP"  # a rack alone, driven by a gear on a link about a fixed axis; nothing is hinged to it either
+SINGLE = (GEAR, RACK)
+TERMINAL = (ROLLING, *SINGLE)
 SYMMETRIC = ("RRR", "RPR", "PRP")
 FRAME, CRANK = 0, 1
 MOST_DYADS = 3
@@ -60,8 +61,8 @@ def parse_code(text: str) -> Structure:
 
 
 def moving_links(structure: Structure) -> int:
-    """How many links move: the crank, two of each dyad, and a gear in mesh."""
-    return 1 + sum(1 if group.kind == GEAR else 2 for group in structure)
+    """How many links move: the crank, two of each dyad, and a gear or a rack."""
+    return 1 + sum(1 if group.kind in SINGLE else 2 for group in structure)
 
 
 def normal(structure: Structure) -> Structure:
@@ -87,11 +88,10 @@ def _orders(structure: Structure, done: frozenset[int], grown: Structure, names:
 def sliding_pairs(structure: Structure) -> list[tuple[int, int]]:
     """The sliding pairs of a structure, each by its two links, the earlier one first."""
     found = []
-    dyads = [(place, group) for place, group in enumerate(structure) if group.kind != GEAR]
-    for place, (kind, on, to) in dyads:
+    for place, (kind, on, to) in enumerate(structure):
         first, second = 2 * place + 2, 2 * place + 3
-        pairs = ((on, first), (first, second), (to, second))
-        found += [pair for letter, pair in zip((kind[0], kind[1], kind[2]), pairs, strict=True) if letter == "P"]
+        pairs = ((on, first), (to, first)) if kind in SINGLE else ((on, first), (first, second), (to, second))
+        found += [pair for letter, pair in zip(kind, pairs, strict=True) if letter == "P"]
     return found
 
 
@@ -99,20 +99,30 @@ def _fits(structure: Structure, dyad: AssurGroup) -> bool:
     """Whether a dyad can be grown: on two links that are there; two sliding pairs in a row need links that turn."""
     count = 2 + 2 * len(structure)
     wheels = {2 * place + 3 for place, earlier in enumerate(structure) if earlier.kind == ROLLING}
-    wheels |= {2 * place + i for place, earlier in enumerate(structure) if earlier.kind == GEAR for i in (2, 3)}
+    wheels |= {2 * place + i for place, earlier in enumerate(structure) if earlier.kind in SINGLE for i in (2, 3)}
     if dyad.on == dyad.to or not (0 <= dyad.on < count and 0 <= dyad.to < count) or wheels & {dyad.on, dyad.to}:
         return False
     if dyad.kind == ROLLING:
         return dyad.on != FRAME == dyad.to
-    if dyad.kind == GEAR:
-        return dyad.to == FRAME and dyad.on in _about_fixed_axes(structure)
+    if dyad.kind in SINGLE:
+        return dyad in single_groups(structure)
     return dyad.kind not in ("PRP", "RPP") or not _keep_their_angle(structure, dyad.on, dyad.to)
 
 
-def _about_fixed_axes(structure: Structure) -> set[int]:
-    """The links of dyads that are hinged to the frame."""
-    first = {2 * place + 2 for place, (kind, on, _) in enumerate(structure) if kind[0] == "R" and on == FRAME}
-    return first | {2 * place + 3 for place, (kind, _, to) in enumerate(structure) if kind == "RRR" and to == FRAME}
+def single_groups(structure: Structure) -> set[AssurGroup]:
+    """The gears and racks that can end a structure.
+
+    On a link about a fixed axis (of a dyad): a gear that drives another one or a rack, or the axle of a gear that rolls
+    on a fixed one. On a slider in a fixed guide: a rack that drives a gear about a fixed axis.
+    """
+    turning = {2 * place + 2 for place, (kind, on, _) in enumerate(structure) if kind[0] == "R" and on == FRAME}
+    turning |= {2 * place + 3 for place, (kind, _, to) in enumerate(structure) if kind == "RRR" and to == FRAME}
+    sliders = {2 * place + 3 for place, (kind, on, to) in enumerate(structure) if kind == "RRP" and on != FRAME == to}
+    return (
+        {AssurGroup(GEAR, link, FRAME) for link in turning | sliders}
+        | {AssurGroup(GEAR, FRAME, link) for link in turning}
+        | {AssurGroup(RACK, link, FRAME) for link in turning}
+    )
 
 
 def _keep_their_angle(structure: Structure, one: int, other: int) -> bool:
@@ -145,31 +155,6 @@ def textbook_structures(most_links: int = 7, kinds: Sequence[str] = KINDS) -> li
     """The structures with up to so many moving links that a textbook would print, by their size and code."""
     sizes = range(1, (most_links - 1) // 2 + 1)
     return [s for size in sizes for s in structures(size, tuple(kinds)) if is_textbook(s)]
-
-
-def rolling_structures(most_links: int = 7, kinds: Sequence[str] = KINDS) -> list[Structure]:
-    """The structures of textbooks in which the last slider on the frame is a rolling wheel, by their size and code."""
-    found = set()
-    for structure in textbook_structures(most_links, kinds):
-        used = {link for dyad in structure for link in (dyad.on, dyad.to)}
-        for place, dyad in enumerate(structure):
-            if dyad.kind == "RRP" and dyad.on != FRAME == dyad.to and not used & {2 * place + 2, 2 * place + 3}:
-                wheel = AssurGroup(ROLLING, dyad.on, FRAME)
-                found.add(normal((*structure[:place], wheel, *structure[place + 1 :])))
-    return sorted(found, key=lambda structure: (len(structure), structure))
-
-
-def geared_structures(most_links: int = 6, kinds: Sequence[str] = KINDS) -> list[Structure]:
-    """The structures of textbooks with a gear at the end, in mesh with one on a link about a fixed axis."""
-    found = set()
-    for structure in textbook_structures(min(most_links - 1, 5), kinds):
-        joints = 1 + sum((group.on == FRAME) + (group.to == FRAME) for group in structure)
-        used = {link for group in structure for link in (group.on, group.to)}
-        ends = [place for place in range(len(structure)) if not used & {2 * place + 2, 2 * place + 3}]
-        for link in _about_fixed_axes(structure) if joints < 4 else ():
-            if link // 2 - 1 in ends:
-                found.add(normal((*structure, AssurGroup(GEAR, link, FRAME))))
-    return sorted(found, key=lambda structure: (len(structure), structure))
 
 
 def is_textbook(structure: Structure) -> bool:

@@ -127,6 +127,8 @@ class Language:
         if target:
             target = self.axis(target) if kind in ("v", "a") else target
             index.append(Index(target, len(target) > 1 and target.islower() and target not in GREEK))
+        if kind == "a" and component in NATURAL:
+            return self.with_component(Symbol(self.letter(kind), tuple(index)), NATURAL[component])
         if component:
             index.append(Index(component))
         return Symbol(self.letter(kind), tuple(index))
@@ -154,8 +156,6 @@ class Language:
         if quantity.kind == "angle":
             corner, _, last = component.partition(".")
             return Symbol(ANGLE + target + corner + last) if component else self.symbol(f"phi_{target}", bodies)
-        if quantity.kind == "a" and component in NATURAL:
-            return self.with_component(self.symbol(quantity.whole_name, bodies), NATURAL[component])
         if quantity.line:
             return self.symbol(f"{quantity.whole_name}.{on_line(component)}", bodies)
         if quantity.component in _ABOUT:

@@ -19,7 +19,7 @@ DESCRIPTION = (
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
     parser.add_argument("--groups", default="", metavar="RRR,RRP,...", help="the kinds of its groups (default: any)")
-    parser.add_argument("--links", type=int, metavar="N", help="how many links move: 3, 5 or 7 (4 or 6 with a gear)")
+    parser.add_argument("--links", type=int, metavar="N", help="how many links move: 3, 5, 7 (4, 6 with gear or rack)")
     parser.add_argument("--level", choices=("easy", "medium", "hard"), default="", help="by the work of its solutions")
     parser.add_argument("--structure", default="", metavar="CODE", help="one structure: a code of list --structures")
     parser.add_argument("--seed", default="0", metavar="SEED", help="chooses structure and layout (default: 0)")

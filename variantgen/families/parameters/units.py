@@ -110,7 +110,7 @@ def usual_name(name: str) -> str:
 
 def unit(name: str, key: str = "unit") -> Unit:
     """The unit of that name; InputError with the nearest names if there is none."""
-    found = UNITS.get(usual_name(name))
+    found = UNITS.get(name) or UNITS.get(usual_name(name))
     if found is None:
         raise InputError(Problem("unknown unit", key=key, value=name, remedy=nearest(name, UNITS)))
     return found

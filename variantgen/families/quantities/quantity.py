@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 from variantgen.algebra.decimals import RECORDED_DIGITS
 from variantgen.families.parameters.units import Unit, unit
@@ -48,7 +49,7 @@ class Quantity:
         """0 if positions are enough to know it, 1 if velocities are, 2 if accelerations are needed."""
         return KINDS[self.kind].order
 
-    @property
+    @cached_property
     def group(self) -> str:
         """The group of its kind, which tells how it is named and read."""
         group = KINDS[self.kind].group
@@ -189,15 +190,15 @@ class Quantity:
         return tuple(Quantity(self.kind, point, "x") for point in self.pair)
 
     def _of_rope(self, scene: Scene) -> tuple[Quantity, ...]:
-        """The rotation of the drum, or the motion of the end, from which a rope runs over fixed pulleys alone."""
+        """The rotation of the drum, or the motion of the end, from which a rope runs, and of movable pulleys."""
         piece, rest = rope_piece(scene, self.target, self.component), Linkage(scene).resting
-        for end, *pulleys in piece.ways() if piece else ():
-            if all(bend.point in rest for bend in pulleys):
-                if end.body is not None and end.point in rest:
-                    return (Quantity("omega", end.body),)
-                if end.body is None and end.point not in rest:
-                    return (Quantity("v", end.point),)
-        return ()
+        way = piece.way(rest) if piece else None
+        if way is None:
+            return ()
+        end, *pulleys = way.bends
+        drum = () if end.body is None else (Quantity("omega", end.body),)
+        moving = [bend.point for bend in (end, *pulleys) if bend.point not in rest]
+        return (*drum, *(Quantity("v", point) for point in dict.fromkeys(moving)))
 
     @property
     def point(self) -> str:

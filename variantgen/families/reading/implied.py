@@ -9,6 +9,7 @@ from variantgen.families.family import ComponentTemplate
 from variantgen.families.parameters.expressions import FamilyExpression, number
 from variantgen.mechanism.component import field_specs
 from variantgen.mechanism.joints.guide import Guide
+from variantgen.mechanism.joints.pivot import Pivot
 from variantgen.mechanism.joints.rope import Rope
 from variantgen.mechanism.joints.translation import Translation
 
@@ -38,9 +39,11 @@ def with_stations(
     the pieces at a moving station run along the guide of this point, or of another point of a body in translation. A
     rope that turns a body on its way is one rope to this body and another one from it on: it does not slip there.
     """
-    joints = [part for item in joints for part in _between_drums(item)]
     moving = {point for members in bodies.values() for point in members}
     moving |= {name for item in (*joints, *drivers) if item.component is not Rope for name in _points(item)}
+    held = {item.fields["point"] for item in joints if item.component is Pivot}
+    frames = [held | (_stations(joints) - moving), *map(set, bodies.values())]
+    joints = [part for item in joints for part in _between_drums(item, frames)]
     ways = {item.fields["point"]: item.fields.get("angle") for item in joints if item.component is Guide}
     for item in joints:
         members = bodies.get(item.fields["body"], ()) if item.component is Translation else ()
@@ -49,17 +52,27 @@ def with_stations(
     return tuple(_completed(item, moving, ways) if item.component is Rope else item for item in joints)
 
 
-def _between_drums(item: ComponentTemplate) -> list[ComponentTemplate]:
-    """A rope in parts from body to body that it turns; any other joint as it is."""
+def _stations(joints: Sequence[ComponentTemplate]) -> set[str]:
+    """The points that ropes pass."""
+    return {bend.fields["point"] for item in joints if item.component is Rope for bend in item.fields["path"]}
+
+
+def _between_drums(item: ComponentTemplate, frames: Sequence[set[str]]) -> list[ComponentTemplate]:
+    """A rope in parts from body to body that it turns; any other joint as it is.
+
+    A belt that comes back, with all its axles on one of the ``frames``, keeps its length if its other parts do: the
+    last one is drawn only.
+    """
     path: tuple[ComponentTemplate, ...] = item.fields.get("path", ()) if item.component is Rope else ()
     drums = [k for k in range(1, len(path) - 1) if path[k].fields.get("body")]
     if not drums:
         return [item]
     cuts = [0, *drums, len(path) - 1]
-    parts = [path[first : last + 1] for first, last in pairwise(cuts)]
-    if _same_drum(path[0], path[-1]):
-        parts.pop()  # a belt that comes back: its last strand says nothing new
-    return [ComponentTemplate(Rope, {**item.fields, "path": part}) for part in parts]
+    parts = [{**item.fields, "path": path[first : last + 1]} for first, last in pairwise(cuts)]
+    axles = _stations([item])
+    if _same_drum(path[0], path[-1]) and any(axles <= frame for frame in frames):
+        parts[-1]["closing"] = True
+    return [ComponentTemplate(Rope, fields) for fields in parts]
 
 
 def _same_drum(first: ComponentTemplate, last: ComponentTemplate) -> bool:

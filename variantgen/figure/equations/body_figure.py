@@ -51,8 +51,8 @@ def draw_body_figure(
 
     Raises InputError where there is no such body, or no point of it has a vector.
     """
-    found, named = motion_data(subject.mechanism, order), vectors_of(subject.mechanism, order, vectors)
-    now = found.now
+    found = motion_data(subject.mechanism, order, points_move=False)
+    named, now = vectors_of(subject.mechanism, order, vectors), found.now
     if body not in now.scene.bodies:
         raise InputError(Problem("the mechanism has no such body", key="view", value=body))
     own = now.v if order == 1 else now.a

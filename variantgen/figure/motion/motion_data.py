@@ -43,11 +43,13 @@ class MotionData:
     unit: Unit
 
 
-def motion_data(mechanism: MovingMechanism, order: int, asked: Sequence[Quantity] | None = None) -> MotionData:
+def motion_data(
+    mechanism: MovingMechanism, order: int, asked: Sequence[Quantity] | None = None, points_move: bool = True
+) -> MotionData:
     """The chain and the numbers for a figure of velocities (``order`` 1) or accelerations (2).
 
     The chain leads to what is ``asked`` (none: all that is asked of the mechanism). Raises InputError where the variant
-    has no motion, accelerations are not asked, or nothing moves.
+    has no motion, accelerations are not asked, or no point has any while the figure is one of points (``points_move``).
     """
     variant, motion = mechanism.variant, mechanism.motion
     asked, name = mechanism.asked if asked is None else asked, variant.family.name
@@ -67,7 +69,8 @@ def motion_data(mechanism: MovingMechanism, order: int, asked: Sequence[Quantity
     chain = chain_of(variant.form, now, asked, shown_points(variant, asked))
     vectors = now.v if order == 1 else now.a
     sizes = [abs(vectors[point]) for point in chain.points]
-    if max(sizes, default=0.0) <= _NOTHING * max((abs(vector) for vector in vectors.values()), default=0.0):
+    largest = max((abs(vector) for vector in vectors.values()), default=0.0)
+    if points_move and max(sizes, default=0.0) <= _NOTHING * largest:
         kind = "velocity" if order == 1 else "acceleration"
         raise InputError(Problem(f"no shown point has a {kind}", key="view", value=name))
     measure = unit(variant.family.length_unit + ("/s" if order == 1 else "/s^2"))

@@ -17,10 +17,9 @@ _HEIGHT, _HALF_LEGS, _HALF_BASE = 4.0, 2.4, 3.7
 # Down first: that is where a base is expected.
 _SIDES = np.array([-math.pi / 2, math.pi / 2, math.pi, 0.0])
 _DOWN = np.exp(1j * _SIDES)
-# Half sides of the box about the base on each side.
-_DEPTH, _HALF = _HEIGHT + 1.7, _HALF_BASE + 1.0
+_HATCH, _HALF = 1.7, _HALF_BASE + 1.0  # below the base; half the width of the symbol
+_BEYOND = 1.2  # from a rim to the base outside it, u
 _UPRIGHT = (np.abs(_DOWN.imag) > 0.5)[:, None]
-_BOXES = (np.where(_UPRIGHT, _HALF, 0.5 * _DEPTH), np.where(_UPRIGHT, 0.5 * _DEPTH, _HALF))
 
 
 def draw(board: Board, joint: Pivot) -> None:
@@ -29,9 +28,9 @@ def draw(board: Board, joint: Pivot) -> None:
     centre = sketch.at[joint.point]
     if joint.point not in board.poses:
         board.poses[joint.point] = _roomiest_side(board, joint.point)
-    angle = board.poses[joint.point]
+    angle, height = board.poses[joint.point], _height(board, joint.point)
     down = cmath.rect(1.0, angle)
-    left, foot = -1j * down, centre + _HEIGHT * down
+    left, foot = -1j * down, centre + height * down
     for side in (1, -1):
         leg = foot + side * _HALF_LEGS * left
         way = (leg - centre) / abs(leg - centre)
@@ -45,9 +44,19 @@ def draw(board: Board, joint: Pivot) -> None:
     board.sized(joint.point, HINGE)
 
 
+def _height(board: Board, point: str) -> float:
+    """How far below the hinge the base is: where it stands on no rim of the discs that turn about the hinge."""
+    rims = sorted(board.rims(point))
+    heights = [_HEIGHT, *(rim + _BEYOND for rim in rims if rim + _BEYOND > _HEIGHT)]
+    free = [h for h in heights if not any(h - _BEYOND < rim < math.hypot(h + _HATCH, _HALF) for rim in rims)]
+    return next(iter(free), _HEIGHT)
+
+
 def _roomiest_side(board: Board, point: str) -> float:
     """The side on which the base covers least of what is drawn already and is far from the links at the hinge."""
     sketch = board.sketch
-    covered = sketch.crossings(sketch.at[point] + (HINGE + 0.5 * _DEPTH) * _DOWN, _BOXES)
+    half_depth = 0.5 * (_height(board, point) + _HATCH)
+    boxes = (np.where(_UPRIGHT, _HALF, half_depth), np.where(_UPRIGHT, half_depth, _HALF))
+    covered = sketch.crossings(sketch.at[point] + (HINGE + half_depth) * _DOWN, boxes)
     close = np.maximum(0.0, math.radians(58) - sketch.freedom(point, _SIDES))
     return float(_SIDES[(2.0 * covered + 6.0 * close).argmin()])

@@ -19,7 +19,11 @@ def draw(board: Board, joint: Rope) -> None:
     if joint.parallel:
         _hoist.draw(board, joint)
         return
-    ways = [_straight(board, first, second) for first, second in pairwise(joint.path)]
+    ways = []
+    for first, second in pairwise(joint.path):
+        start, end, way = _straight(board, first, second)
+        board.sketch.path((start, end), Layer.THREAD, MEDIUM)
+        ways.append(way)
     last = len(joint.path) - 1
     for i, bend in enumerate(joint.path):
         if bend.body is not None:
@@ -37,13 +41,20 @@ def _circle(board: Board, bend: Bend) -> tuple[complex, float, float]:
     return board.sketch.at[bend.point], float(bend.radius) * board.sketch.scale, float(board.frame.sense * bend.side)
 
 
-def _straight(board: Board, first: Bend, second: Bend) -> complex:
-    """Draw a straight piece; returns its direction."""
+def piece_on_paper(board: Board, joint: Rope, number: int) -> tuple[complex, complex]:
+    """The ends (u) of a straight piece, from bend ``number`` to the next one."""
+    if joint.parallel:
+        strand = _hoist.strands(board, joint)[number]
+        return strand.start, strand.end
+    return _straight(board, *joint.path[number : number + 2])[:2]
+
+
+def _straight(board: Board, first: Bend, second: Bend) -> tuple[complex, complex, complex]:
+    """The ends (u) of a straight piece, and its direction."""
     start, radius, side = _circle(board, first)
     end, end_radius, end_side = _circle(board, second)
     way = complex(thread_direction(start, radius, side, end, end_radius, end_side)[0])
-    board.sketch.path((start + 1j * side * radius * way, end + 1j * end_side * end_radius * way), Layer.THREAD, MEDIUM)
-    return way
+    return start + 1j * side * radius * way, end + 1j * end_side * end_radius * way, way
 
 
 def _pulley(board: Board, bend: Bend, arriving: complex, leaving: complex) -> None:

@@ -1,7 +1,8 @@
 """The figure of velocities: the mechanism with all velocities to one scale, true senses of rotation, velocity centres.
 
 The velocity centre P of a body is where the dashed perpendiculars to the velocities of its points meet; one that is
-too far away is not shown, then short rays show the way to it. Vectors bear the names that the solution gives to them.
+too far away is not shown, then short rays show the way to it. Vectors bear the names that the solution gives to them;
+the speed of a rope or belt is shown where it is asked.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from variantgen.figure.motion.centre_rays import draw_centres
 from variantgen.figure.motion.contact_letters import contact_points, draw_contacts
 from variantgen.figure.motion.motion_board import NOTHING, MotionBoard, draw_on_mechanism, named_together, scale_of
 from variantgen.figure.motion.motion_data import MotionData, MovingMechanism, motion_data
+from variantgen.figure.motion.rope_arrows import RopeSpeed, draw_rope_speeds, rope_speeds
 from variantgen.figure.motion.vectors import Vectors, vectors_of
 from variantgen.figure.symbols.rotation import draw_arcs
 from variantgen.mechanism.motion import Motion
@@ -37,13 +39,17 @@ def draw(
 ) -> Drawing:
     """The figure of one variant with the ``vectors`` of a solution. Raises InputError where nothing moves."""
     mechanism = MovingMechanism(variant, motion, index, asked, language)
-    found = motion_data(mechanism, ORDER)
+    rims = contact_points(mechanism.task, mechanism.now, mechanism.shown) if motion.solved[index] else {}
+    found = motion_data(mechanism, ORDER, points_move=not rims)
     named = vectors_of(mechanism, ORDER, vectors)
-    annotate = partial(_annotate, found, named)
+    ropes = rope_speeds(motion, index, asked)
+    annotate = partial(_annotate, found, named, ropes)
     return draw_on_mechanism(mechanism, annotate, true_scale)
 
 
-def _annotate(found: MotionData, named: Vectors, board: MotionBoard, stretch: float) -> None:
+def _annotate(
+    found: MotionData, named: Vectors, ropes: Sequence[RopeSpeed], board: MotionBoard, stretch: float
+) -> None:
     """Velocities, then centres, then arcs where there is room left."""
     now = found.now
     # What another method than the vector equation needs of a velocity is the velocity itself.
@@ -51,7 +57,8 @@ def _annotate(found: MotionData, named: Vectors, board: MotionBoard, stretch: fl
     points = named.telling([name for name in board.shown if name in found.chain.points])
     touching = contact_points(named.task, now, board.shown)
     shown = [*(now.v[name] for name in points), *(vector for terms in parts.values() for _, vector in terms)]
-    scale = stretch * scale_of([*shown, *(contact.velocity for contact in touching.values())])
+    shown += [*(contact.velocity for contact in touching.values()), *(rope.speed for rope in ropes)]
+    scale = stretch * scale_of(shown)
     straight = set()
     for name in (*points, *named.slid_over()):
         vectors = named_together([named.own(name), *parts.get(name, [])], scale)
@@ -60,6 +67,7 @@ def _annotate(found: MotionData, named: Vectors, board: MotionBoard, stretch: fl
             if board.vector(name, scale * vector, symbol, *(() if whole else (MEDIUM,))) and whole:
                 straight.add(name)
     draw_contacts(board, touching, scale, named.symbols)
+    draw_rope_speeds(board, ropes, scale, named.symbols)
     draw_centres(board, now, points, straight)
     fastest = max((abs(rate) for rate in now.omega.values()), default=0.0)
     for body, rate in now.omega.items():

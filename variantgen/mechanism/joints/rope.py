@@ -58,10 +58,12 @@ class Rope(Joint):
     because piece j turns at the rate ``n_j.(v_(j+1) - v_j) / l_j``; pulleys in between turn freely, and the rope may
     pass a point several times. In a ``parallel`` rope, as in hoists, a piece at a moving block runs ``along`` the way
     of the block and keeps that direction: its length is the distance of its ends in this direction, whatever the radii.
+    What is ``closing`` brings a belt back to where it began: it is seen, and has no equation, as it says nothing new.
     """
 
     path: tuple[Bend, ...]
     parallel: bool = False
+    closing: bool = False
 
     @property
     def _drums(self) -> tuple[tuple[Bend, float], ...]:
@@ -71,6 +73,8 @@ class Rope(Joint):
 
     def shapes(self) -> tuple[Shape, ...]:
         """One scalar row on the moving stations and the drums."""
+        if self.closing:
+            return ()
         points = tuple(dict.fromkeys(bend.point for bend in self.path if not bend.fixed))
         bodies = tuple(dict.fromkeys(bend.body for bend, _ in self._drums if bend.body is not None))
         return (Shape(points, bodies),)
@@ -155,6 +159,10 @@ class Rope(Joint):
 
     def rows(self, at: Placement) -> tuple[ScalarRow, ...]:
         """The velocity row of the class docstring."""
+        return () if self.closing else (self.row(at),)
+
+    def row(self, at: Placement) -> ScalarRow:
+        """What keeps the length of the rope, whether it is an equation of the scene or follows from others."""
         points: dict[str, Complex] = {}
         turning: dict[str, Real] = {}
         for (first, second), (ray, _) in zip(pairwise(self.path), self.pieces(at), strict=True):
@@ -165,10 +173,12 @@ class Rope(Joint):
             assert bend.body is not None
             lever = sign * at.frame.sense * bend.side * bend.radius
             turning[bend.body] = turning.get(bend.body, 0.0) + lever
-        return (ScalarRow(points, turning),)
+        return ScalarRow(points, turning)
 
     def quadratic(self, at: Placement, speeds: Speeds) -> tuple[Complex, ...]:
         """``sum (n_j.(v_(j+1) - v_j))^2 / l_j``."""
+        if self.closing:
+            return ()
         total: Real = 0.0
         for (first, second), (ray, length) in zip(pairwise(self.path), self.pieces(at), strict=True):
             ends = [0.0 if bend.fixed else speeds.v[bend.point] for bend in (first, second)]
@@ -182,6 +192,8 @@ class Rope(Joint):
         A piece that swings by the angle q winds ``s r q`` onto the circle that it ends on and ``s r q`` off the
         circle that it starts from; a drum that turns by p takes up or gives out ``s r p``.
         """
+        if self.closing:
+            return ()
         before, after = self.pieces(start), self.pieces(moved)
         swung = [
             np.arctan2(cross(then, now), dot(then, now)) for (then, _), (now, _) in zip(before, after, strict=True)

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 
-from variantgen.algebra.expression import Expression, Ratio, Value
+from variantgen.algebra.expression import Constant, Expression, Ratio, Value
 from variantgen.algebra.name import Name
+from variantgen.algebra.normal_form import added
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.rope_speed import rope_piece
 from variantgen.methods.by_groups.position_answers import centre_coordinate, position_answer
@@ -16,7 +17,8 @@ from variantgen.methods.groups.carriers import is_translating
 from variantgen.methods.on_demand import on_demand
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Body, Derived, Point
-from variantgen.methods.vectors.points import sum_of, vector
+from variantgen.methods.vectors.natural_sum import signed
+from variantgen.methods.vectors.points import vector
 from variantgen.methods.vectors.vector_equation import named_shares
 
 _turn_answer = on_demand("by_groups.turn_answers", "turn_answer")
@@ -75,26 +77,38 @@ def _rate(book: Book, quantity: Quantity) -> Value:
 
 
 def _rope(book: Book, quantity: Quantity) -> Value:
-    """The speed of a rope: of the rim of the drum, or of its end along it, from which it runs over fixed pulleys.
+    """The speed of a rope: of the rim of the drum, or of its end along it, from which it runs over pulleys.
 
+    Behind a pulley with the velocity v it is ``w + (u - u_before).v``: seen from the axle it is as fast as before it.
     Raises LookupError where the rope has no such end.
     """
     task = book.task
-    piece = rope_piece(task.scene, quantity.target, quantity.component)
-    known = next(iter(quantity.sources(task.scene)), None)
-    if piece is None or known is None:
+    piece, resting = rope_piece(task.scene, quantity.target, quantity.component), task.linkage.resting
+    way = piece.way(resting) if piece else None
+    if way is None:
         raise LookupError(quantity.name)
-    end = next(way[0] for way in piece.ways() if known.target in (way[0].body, way[0].point))
+    end, at = way.bends[0], task.in_metres
+    axes = [Value(None, "angle", degrees(complex(ray))) for ray in way.rays(at)]
+    pulleys = [number for number, bend in enumerate(way.bends) if number and bend.point not in resting]
     name = Name("rope", quantity.target, quantity.component)
     with book.step("answers.rope", first=Point(quantity.target), second=Point(quantity.component)):
-        if known.kind == "omega":
-            book.say("answers.rope_on_drum", False, body=Body(known.target))
-            radius = book.geometry.radius(end.point, float(end.radius) / task.length_unit, known.target)
-            return book.derive(name, "velocity", _rate(book, Quantity("omega", known.target, "abs")) * radius)
-        ray = piece.ray_at(end, task.in_metres)
-        book.say("answers.rope_at_end", False, point=Point(end.point))
-        whole = sum_of(named_shares(book, vector(book, end.point), Value(None, "angle", degrees(ray))))
-        return book.derive(name, "velocity", whole if whole.number(True) >= 0 else -whole)
+        terms: list[tuple[int, Expression]] = []
+        if end.body is not None:
+            book.say("answers.rope_on_drum", False, body=Body(end.body))
+            radius = book.geometry.radius(end.point, float(end.radius) / task.length_unit, end.body)
+            away = 1 if way.rim(at) * task.now.omega[end.body] >= 0 else -1
+            terms.append((away, _rate(book, Quantity("omega", end.body, "abs")) * radius))
+        elif end.point not in resting:
+            book.say("answers.rope_at_moving_end" if pulleys else "answers.rope_at_end", False, point=Point(end.point))
+            terms += signed(named_shares(book, vector(book, end.point), axes[0]))
+        for number in pulleys:
+            book.say("answers.rope_behind_pulley", False, point=Point(way.bends[number].point))
+            own = vector(book, way.bends[number].point)
+            terms += signed(named_shares(book, own, axes[number]))
+            terms += [(-sign, part) for sign, part in signed(named_shares(book, own, axes[number - 1]))]
+        sense = 1 if sum(sign * part.number(True) for sign, part in terms) >= 0 else -1
+        whole = added(*sorted(((sense * sign, part) for sign, part in terms), key=lambda term: -term[0]))
+        return book.derive(name, "velocity", Constant(0.0) if whole is None else whole)
 
 
 def _ratio(book: Book, quantity: Quantity) -> Value:

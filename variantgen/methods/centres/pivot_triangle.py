@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from variantgen.algebra.expression import Constant, Expression, Total, Value
+from variantgen.algebra.expression import Applied, Constant, Expression, Total, Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import summed
 from variantgen.methods.centres.centre import note_angle
@@ -67,23 +67,38 @@ def solve(book: Book, centre: Centre, terms: tuple[Term, Term], rays: tuple[Valu
 def _note_corners(book: Book, centre: Centre, links: Sequence[_Link], at_p: Value) -> None:
     """The angles at A and B of the triangle A B P, for what is projected later; acute ones where there are such."""
     first, second = links
-    (a, b), geometry = (first.point, second.point), book.geometry
-    ways = ((a, geometry.direction(a, b)), (b, geometry.direction(b, a)))
-    inner = [difference(None, centre.rays[point].angle, way) for point, way in ways]
-    if all(is_short(angle_sum(angle)) for angle in inner):
+    geometry = book.geometry
+    inner = {
+        link.point: difference(None, centre.rays[link.point].angle, geometry.direction(link.point, other.point))
+        for link, other in ((first, second), (second, first))
+    }
+    if all(is_short(angle_sum(angle)) for angle in inner.values()):
         return
     note_angle(book, at_p)
-    found = by_height(centre.rays[a].arm, geometry.length(a, b), centre.rays[b].arm, at_p)
-    if first.is_exterior(inner[0]):
+    found = _at_end(book, centre, first, second, at_p)
+    if not _is_arcsine(found) and _is_arcsine(other := _at_end(book, centre, second, first, at_p)):
+        first, second, found = second, first, other
+    a, b = first.point, second.point
+    if first.is_exterior(inner[a]):
         assert isinstance(found, Total), "an obtuse angle is 180 degrees less an acute one"
         found = found.terms[1][1]
-    at_a = first.note(centre, b, inner[0], lambda name: Value(name, "angle", found.number(True), found))
+    at_a = first.note(centre, b, inner[a], lambda name: Value(name, "angle", found.number(True), found))
     half_turn, whole = AngleForm((), 180.0), AngleForm(((at_a, 1.0),))
-    rest = half_turn.minus(half_turn.minus(whole) if first.is_exterior(inner[0]) else whole)
+    rest = half_turn.minus(half_turn.minus(whole) if first.is_exterior(inner[a]) else whole)
     rest = rest.minus(AngleForm(((at_p, 1.0),)))
-    second.note(
-        centre, a, inner[1], lambda name: valued(name, half_turn.minus(rest) if second.is_exterior(inner[1]) else rest)
-    )
+    own = half_turn.minus(rest) if second.is_exterior(inner[b]) else rest
+    second.note(centre, a, inner[b], lambda name: valued(name, own))
+
+
+def _at_end(book: Book, centre: Centre, link: _Link, other: _Link, at_p: Value) -> Expression:
+    """The angle of the triangle A B P at the point of a link, by the height from that of the other one."""
+    arms = [centre.rays[end.point].arm for end in (link, other)]
+    return by_height(arms[0], book.geometry.length(link.point, other.point), arms[1], at_p)
+
+
+def _is_arcsine(angle: Expression) -> bool:
+    """Whether an angle is found by one sine: an angle near to a right one or obtuse takes the base of the height."""
+    return isinstance(angle, Applied) and angle.function == "arcsin"
 
 
 @dataclass(frozen=True)

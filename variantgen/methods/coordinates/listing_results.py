@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from itertools import pairwise
 
 from variantgen.algebra.expression import Value
 from variantgen.algebra.python_source import number
@@ -83,16 +84,22 @@ class _Outputs:
         return f"{place} + ({above})/(({omega})**4 + ({epsilon})**2)"
 
     def _rope(self, quantity: Quantity) -> str:
-        """The speed of the rim of a drum, or of the end of a rope along it."""
+        """The speed of the rim of a drum, or of the end of a rope along it, and what movable pulleys add."""
         task = self.model.task
-        piece, (known,) = rope_piece(task.scene, quantity.target, quantity.component), quantity.sources(task.scene)
-        assert piece is not None, "the name of the quantity has been read"
-        end = next(way[0] for way in piece.ways() if known.target in (way[0].body, way[0].point))
-        if known.kind == "omega":
-            return f"abs({self._rate(known.target, 1)})*{number(float(end.radius) / task.length_unit)}"
-        x, y = self._components(end.point, 1)
-        ray = piece.ray_at(end, task.in_metres)
-        return f"abs(({x})*({number(ray.real)}) + ({y})*({number(ray.imag)}))"
+        piece, resting = rope_piece(task.scene, quantity.target, quantity.component), task.linkage.resting
+        way = piece.way(resting) if piece else None
+        assert way is not None, "the answer has been found so"
+        rays = [complex(ray) for ray in way.rays(task.in_metres)]
+        terms = []
+        if (drum := way.bends[0].body) is not None:
+            terms.append(f"({self._rate(drum, 1)})*({number(way.rim(task.in_metres) / task.length_unit)})")
+        steps = [rays[0], *(after - before for before, after in pairwise(rays))]
+        for bend, step in zip(way.bends, steps, strict=True):
+            if bend.point not in resting:
+                x, y = self._components(bend.point, 1)
+                parts = [f"({rate})*({number(part)})" for rate, part in ((x, step.real), (y, step.imag)) if rate != "0"]
+                terms += parts
+        return f"abs({' + '.join(terms) or 0})"
 
     def _position(self, quantity: Quantity) -> str:
         """A coordinate, a distance, the direction of a line, or a corner between two."""

@@ -46,7 +46,7 @@ def _taken_apart(angle: Value) -> AngleForm:
     if found is None or (kind in ("direction", "angle") and isinstance(angle.expression, Constant)):
         return AngleForm(((angle, 1.0),))
     turns = round((angle.exact - _number(found)) / 360.0)
-    return found.turned(360.0 * turns)
+    return found.turned(360.0 * turns) if turns else found
 
 
 def _sum(item: Expression) -> AngleForm | None:
@@ -62,7 +62,7 @@ def _sum(item: Expression) -> AngleForm | None:
                 part = _sum(term)
                 if part is None:
                     return None
-                found = found.plus(part, float(sign))
+                found = found.plus(part, sign)
             return found
         case Ratio(above, Constant(count)):
             return None if (part := _sum(above)) is None else part.times(1.0 / count)
@@ -72,7 +72,7 @@ def _sum(item: Expression) -> AngleForm | None:
 
 
 def _number(form: AngleForm) -> float:
-    return form.constant + sum(c * atom.exact for atom, c in form.parts if isinstance(atom, Value))
+    return form.constant + sum([c * atom.exact for atom, c in form.parts if isinstance(atom, Value)])
 
 
 def written(form: AngleForm) -> Expression:
@@ -123,25 +123,26 @@ def acute(first: Value, second: Value, size: float) -> tuple[str, Value]:
     the simpler one.
     """
     form = _matched(angle_sum(first).minus(angle_sum(second)), size, 180.0)
-    rest = form.times(-1.0).turned(90.0)
-    for found in (rest, form.turned(90.0)):
-        if found.parts and not tidy(found.constant) and any(count > 0 for _, count in found.parts):
-            return "sin", valued(None, found)
+    for sign in (-1.0, 1.0) if form.parts else ():
+        if not tidy(sign * form.constant + 90.0) and any(sign * count > 0 for _, count in form.parts):
+            return "sin", valued(None, form.times(sign).turned(90.0))
     return "cos", valued(None, form)
 
 
 def supplement(angle: Value) -> Value | None:
     """The single angle that this one is 180 degrees less: ``cos(180 deg - phi) = -cos phi``; None for other ones."""
-    form = angle_sum(angle).times(-1.0).turned(180.0)
-    return valued(None, form) if form.parts and is_single(form) else None
+    form = angle_sum(angle)
+    if not form.parts or len(form.parts) + bool(tidy(180.0 - form.constant)) > 1:
+        return None
+    return valued(None, form.times(-1.0).turned(180.0))
 
 
 def _matched(form: AngleForm, size: float, period: float) -> AngleForm:
     """A difference with the sign and the turns that make it an angle of this size."""
+    number = _number(form)
     for sign in (1.0, -1.0):
-        found = form.times(sign)
-        turns = round((size - _number(found)) / period)
-        if abs(size - _number(found) - period * turns) < _SAME:
-            found = found.turned(period * turns)
-            return AngleForm(found.parts, tidy(found.constant))
+        turns = round((size - sign * number) / period)
+        if abs(size - sign * number - period * turns) < _SAME:
+            parts = form.parts if sign > 0 else form.times(sign).parts
+            return AngleForm(parts, tidy(sign * form.constant + period * turns))
     raise ArithmeticError("an angle between two directions is not their difference")

@@ -45,6 +45,8 @@ class AngleForm:
         found = dict(self.parts)
         for atom, coefficient in other.parts:
             found[atom] = found.get(atom, 0.0) + factor * coefficient
+        if len(found) == len(self.parts):  # in their order already
+            return AngleForm(tuple([part for part in found.items() if part[1] != 0]), constant)
         return form_of(found.items(), constant)
 
     def minus(self, other: AngleForm) -> AngleForm:
@@ -53,7 +55,7 @@ class AngleForm:
 
     def times(self, factor: float) -> AngleForm:
         """A multiple."""
-        return AngleForm(tuple((atom, factor * c) for atom, c in self.parts), factor * self.constant)
+        return AngleForm(tuple([(atom, factor * c) for atom, c in self.parts]), factor * self.constant)
 
     def turned(self, by: float) -> AngleForm:
         """The direction turned by an angle (degrees)."""
@@ -91,14 +93,29 @@ class Angles:
         signs = {name: sign for name in sorted(expression.names) if (sign := self._sign(name))}
         if not signs or (expression.names - signs.keys()) & self._task.form.derived.keys():
             return AngleForm((), tidy(value))
-        start = dict(self._task.si) | dict.fromkeys(signs, 0.0)
-        base = float(expression.value(start))
-        slopes = {name: float(expression.value(start | {name: 1.0})) - base for name in signs}
-        slopes = {name: tidy(slope) for name, slope in slopes.items()}
+        base, slopes = self._linear(expression, tuple(signs))
         total = math.degrees(base) + sum(slope * math.degrees(self._task.si[name]) for name, slope in slopes.items())
         if abs(total - value) > _SAME:
             return AngleForm((), tidy(value))
         return form_of(((name, slopes[name] * sign) for name, sign in signs.items()), tidy(math.degrees(base)))
+
+    def _linear(self, expression: FamilyExpression, angles: tuple[str, ...]) -> tuple[float, dict[str, float]]:
+        """An expression at angles of zero, and by how much it grows with each of these angles.
+
+        The form remembers it where it depends on choices alone besides.
+        """
+        form, values = self._task.form, self._task.si
+        others = sorted(expression.names - set(angles))
+        key = ("linear", expression, angles, *[values[name] for name in others])
+        known = form.remembered.get(key)
+        if known is None:
+            start = dict(values) | dict.fromkeys(angles, 0.0)
+            base = float(expression.value(start))
+            known = base, {name: tidy(float(expression.value(start | {name: 1.0})) - base) for name in angles}
+            if all(form.parameters[name].unit is None for name in others):
+                form.remembered[key] = known
+        found: tuple[float, dict[str, float]] = known
+        return found
 
     def _sign(self, name: str) -> int:
         """1 for an angle, printed or only drawn, the sign of a law of time, 0 for other quantities."""
@@ -154,8 +171,14 @@ def tidy(number: float) -> float:
     """A number of degrees without the rounding of radians: one that near to a short decimal is that."""
     if 1e-4 < number * 1e6 % 1.0 < 0.9999:  # most numbers are nowhere near one, which is seen sooner than rounded
         return number
-    short = round(number, 6)
-    return short + 0.0 if abs(short - number) < _ROUNDING else number
+    found = short(number)
+    return found if abs(found - number) < _ROUNDING else number
+
+
+def short(number: float) -> float:
+    """A number of degrees to six decimals, zero without a sign."""
+    # Whole numbers and halves are what is rounded most, and are seen to be short sooner than rounded.
+    return number + 0.0 if number * 64.0 % 1.0 == 0.0 else round(number, 6) + 0.0
 
 
 def degrees(vector: complex) -> float:

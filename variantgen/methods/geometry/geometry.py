@@ -9,7 +9,8 @@ and once.
 from __future__ import annotations
 
 import importlib
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from functools import cache
 
 from variantgen.algebra.expression import Constant, Expression, Total, Value
 from variantgen.algebra.name import Name
@@ -18,7 +19,7 @@ from variantgen.families.literal_data import literal_radii
 from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.methods.geometry import trigonometry
 from variantgen.methods.geometry.angle_sums import angle_sum
-from variantgen.methods.geometry.angles import AngleForm, Atom, between, degrees, normal_angle
+from variantgen.methods.geometry.angles import AngleForm, Atom, between, degrees, normal_angle, short
 from variantgen.methods.geometry.legs import Leg, collected
 from variantgen.methods.geometry.located_point import ORIGIN, LocatedPoint, Pair
 from variantgen.methods.geometry.position_lines import PositionLines
@@ -33,6 +34,14 @@ __all__ = ["Geometry", "between", "degrees", "normal_angle"]
 _SAME = 1e-7  # degrees within which two directions are one
 _X, _Y = AngleForm(), AngleForm((), 90.0)
 _INLINE = 2  # legs in oblique directions of which a triangle is made; of more, coordinates are taken
+
+
+@cache
+def _derivation(stem: str) -> Callable[..., LocatedPoint]:
+    """How a point is located, by the module of its construction."""
+    found: Callable[..., LocatedPoint]
+    found = importlib.import_module(f"variantgen.methods.geometry.placing.{stem}").Derivation
+    return found
 
 
 class Geometry(PositionLines):
@@ -55,9 +64,7 @@ class Geometry(PositionLines):
         """The point as its construction tells it, whose stem the module has; or by another way."""
         template = self.task.form.points[point]
         stem, fields = way or (template.component.__module__.rpartition(".")[2], template.fields)
-        module = importlib.import_module(f"variantgen.methods.geometry.placing.{stem}")
-        found: LocatedPoint = module.Derivation(self, point, fields)
-        return found
+        return _derivation(stem)(self, point, fields)
 
     # What is known.
 
@@ -203,7 +210,7 @@ class Geometry(PositionLines):
         if by % 360.0 == 0:
             return angle
         exact = normal_angle(angle.exact + by)
-        shift = round(exact - angle.exact, 6)
+        shift = short(exact - angle.exact)
         sign = 1 if shift >= 0 else -1
         depends = angle.expression is not None or (angle.name is not None and angle.name.kind == "parameter")
         expression = Total(((1, angle), (sign, Constant(abs(shift), "angle")))) if depends else None

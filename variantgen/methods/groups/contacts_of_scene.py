@@ -24,9 +24,12 @@ def _law(stem: str) -> Callable[[Task, int], NoSlipContact | None] | None:
 
 def contact_of(task: Task, number: int) -> NoSlipContact | None:
     """The contact or thread of a joint of the scene (its number), if the joint is one that its law can treat."""
-    joint = task.scene.joints[number]
-    law = _law(type(joint).__module__.rpartition(".")[2])
-    return None if law is None else law(task, number)
+    key = ("contact", number)
+    if key not in task.remembered:
+        law = _law(type(task.scene.joints[number]).__module__.rpartition(".")[2])
+        task.remembered[key] = None if law is None else law(task, number)
+    found: NoSlipContact | None = task.remembered[key]
+    return found
 
 
 def contacts_of_scene(task: Task) -> dict[int, NoSlipContact]:

@@ -59,22 +59,18 @@ class KnownMotion:
     @property
     def open_bodies(self) -> list[str]:
         """Needed bodies whose rate is not known."""
-        needed = self.task.needed.bodies
-        return [
-            body
-            for body in self.scene.bodies
-            if body in needed and body not in self.book.omega and body not in self.translating
-        ]
+        needed, turning, still = self.task.needed.bodies, self.book.omega, self.translating
+        return [body for body in self.scene.bodies if body in needed and body not in turning and body not in still]
 
     def point_path(self, point: str, but: str = "") -> PointPath | None:
         """The fixed path of a point by a guide, a fixed circle or another body than ``but``."""
         for joint in self.scene.joints:
-            shapes = joint.shapes()
-            for shape, row in zip(shapes, joint.rows(self.task.at), strict=True):
+            for number, shape in enumerate(joint.shapes()):
                 if shape.points != (point,) or shape.bodies or shape.given_point is not None:
                     continue
                 if joint.landmarks():
                     return PointPath(point, centre=joint.landmarks()[0])
+                row = joint.rows(self.task.at)[number]
                 assert isinstance(row, ScalarRow)
                 normal = complex(row.points[point])
                 return PointPath(point, line=-1j * normal / abs(normal))

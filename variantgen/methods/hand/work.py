@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from variantgen.algebra.expression import Applied, Expression, Raised, Ratio, SquareRoot, Times, Total, Value
+from variantgen.algebra.expression import Applied, Constant, Raised, Ratio, SquareRoot, Times, Total, Value
 from variantgen.algebra.linear import LinearSolution
-from variantgen.algebra.values import in_order, walk
+from variantgen.algebra.values import in_order
 
 _RIGHT_ANGLE = 90.0 + 1e-9  # degrees; what is larger by rounding only is not obtuse
 
@@ -53,31 +53,36 @@ def work_of(answers: Iterable[Value]) -> Work:
     """The work of the solution that leads to these answers."""
     values = in_order(answers)
     own = [value for value in values if value.expression is not None]
-    expressions = [value.expression for value in own if value.expression is not None]
-    parts = [part for whole in expressions for part in walk(whole) if not isinstance(part, Value)]
-    sizes = {tuple(map(id, part.right)): len(part.right) for part in parts if isinstance(part, LinearSolution)}
-    called = [part for part in parts if isinstance(part, Applied)]
+    operations = functions = negatives = 0
+    sizes: dict[tuple[int, ...], int] = {}
+    waiting = [value.expression for value in own if value.expression is not None]
+    while waiting:
+        match part := waiting.pop():
+            case Value() | Constant():
+                continue
+            case Total(terms):
+                operations += max(len(terms) - 1, 0)
+            case Times(factors):
+                operations += len(factors) - 1
+            case Ratio() | Raised():
+                operations += 1
+            case Applied():
+                functions += 1
+                negatives += part.number(True) < 0
+            case SquareRoot():
+                functions += 1
+            case LinearSolution(_, right):
+                sizes[tuple(map(id, right))] = len(right)
+        waiting += part.operands()
     return Work(
         lines=len(own),
-        operations=sum(map(_operations, parts)) + sum(map(_elimination, sizes.values())),
-        functions=len(called) + sum(isinstance(part, SquareRoot) for part in parts),
+        operations=operations + sum(map(_elimination, sizes.values())),
+        functions=functions,
         systems=len(sizes),
-        negatives=sum(item.number(True) < 0 for item in (*values, *called)),
-        obtuse=sum(value.measure == "angle" and abs(value.exact) > _RIGHT_ANGLE for value in values),
-        coriolis=sum(value.name is not None and value.name.part == "cor" for value in own),
+        negatives=negatives + sum([value.exact < 0 for value in values]),
+        obtuse=sum([value.measure == "angle" and abs(value.exact) > _RIGHT_ANGLE for value in values]),
+        coriolis=sum([value.name is not None and value.name.part == "cor" for value in own]),
     )
-
-
-def _operations(part: Expression) -> int:
-    """The operations of one part of an expression, without those inside its operands."""
-    match part:
-        case Total(terms):
-            return max(len(terms) - 1, 0)
-        case Times(factors):
-            return len(factors) - 1
-        case Ratio() | Raised():
-            return 1
-    return 0
 
 
 def _elimination(count: int) -> int:

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from itertools import combinations
 from types import MappingProxyType
+from typing import Any
 
 from variantgen.algebra.expression import Constant, Expression, Pi, Value
 from variantgen.algebra.name import Name
 from variantgen.families.family import Form
 from variantgen.families.figure_hints import DiscMark
+from variantgen.families.literal_data import literal_data
 from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import Quantity, motion_order
@@ -27,6 +29,7 @@ from variantgen.methods.linkage.translated import Translator
 from variantgen.variants.variant import Variant, solve_variants
 
 AGREES = 1e-9  # of the natural scale: what rounding of the arithmetic leaves between a solution and the solver
+_DIGITS = 12  # of a number of the file in the printed unit
 CLOSE = 1e-9  # relative difference within which two numbers are one, but for rounding
 
 
@@ -41,20 +44,25 @@ class Task:
     asked: tuple[Quantity, ...]
     now: Instant
 
-    @property
+    @cached_property
     def form(self) -> Form:
         """The form of the variant's family."""
         return self.variant.form
 
-    @property
+    @cached_property
     def scene(self) -> Scene:
         """The scene of the variant (numbers in SI)."""
         return self.now.scene
 
-    @property
+    @cached_property
     def order(self) -> int:
         """1 if velocities are enough, 2 if accelerations are asked."""
         return motion_order(self.asked)
+
+    @cached_property
+    def remembered(self) -> dict[Hashable, Any]:
+        """What steps have worked out from this task alone, by keys of their own."""
+        return {}
 
     @cached_property
     def motion(self) -> Motion:
@@ -66,7 +74,7 @@ class Task:
         """The plain quantities that the asked ones are, or are made of; none where positions alone are asked."""
         return tuple(dict.fromkeys(source for quantity in self.asked for source in quantity.sources(self.scene)))
 
-    @property
+    @cached_property
     def at(self) -> Placement:
         """Positions in printed units, with the frame."""
         return Placement(self.now.z, self.scene.frame)
@@ -81,7 +89,7 @@ class Task:
         """Positions in SI, as the numbers of the scene are."""
         return Placement({point: z * self.length_unit for point, z in self.now.z.items()}, self.scene.frame)
 
-    @property
+    @cached_property
     def fixed(self) -> frozenset[str]:
         """Points at rest."""
         return self.linkage.resting
@@ -119,7 +127,7 @@ class Task:
     def size(self) -> float:
         """Size of the mechanism, in the printed unit of length; of a single point its way to the origin, or 1."""
         places = list(self.now.z.values())
-        return max(abs(p - q) for p in places for q in places) or abs(places[0]) or 1.0
+        return max((abs(p - q) for p, q in combinations(places, 2)), default=0.0) or abs(places[0]) or 1.0
 
     @cached_property
     def largest_speed(self) -> float:
@@ -140,7 +148,7 @@ class Task:
         values = self.form.values({name: self.variant.si(name) for name in self.form.parameters})
         return {name: float(value) for name, value in values.items()}
 
-    @property
+    @cached_property
     def length_unit(self) -> float:
         """The printed unit of length in metres."""
         return float(unit(self.variant.family.length_unit).factor)
@@ -171,6 +179,20 @@ class Task:
         else:
             shift = value * Constant(round(factor, 12))
         return Value(value.name, measure, abs(converted) if parameter.is_rate else converted, shift)
+
+    @cached_property
+    def stated_rates(self) -> dict[str, Value]:
+        """The rates that a scene states as numbers, by the letters that its sheet gives them; magnitudes, no zeros."""
+        if self.variant.family.folder is not None:
+            return {}
+        found = {}
+        for datum in literal_data(self.form):
+            if datum.kind == "rate" and datum.source is None and datum.si:
+                printed = unit(self.unit_of(datum.measures)).from_si(abs(datum.si))
+                # 12 in/s are not 12.000000000000002 by their metres.
+                size = float(f"{printed:.{_DIGITS}g}")
+                found[datum.name] = Value(Name("parameter", datum.name), datum.measures, size)
+        return found
 
     def unit_of(self, measure: str) -> str:
         """The name of the unit in which a measure is printed in this solution."""

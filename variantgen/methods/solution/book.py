@@ -6,7 +6,6 @@ import cmath
 import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from copy import copy
 from dataclasses import dataclass, field
 from typing import Protocol
 
@@ -90,8 +89,8 @@ class Book:
 
     def at(self, order: int, carry: Callable[[Book, str, str, str], None] | None = None) -> Book:
         """The same book, with all that is written in it now and later, for velocities (1) or accelerations (2)."""
-        book = copy(self)
-        book.order, book.carry = order, carry
+        book = Book.__new__(Book)
+        vars(book).update(vars(self), order=order, carry=carry)
         return book
 
     # What is known, at the order that is worked out.
@@ -172,12 +171,18 @@ class Book:
 
     def size_of(self, measure: str) -> float:
         """The natural scale of a measure, below which numbers are rounding."""
-        size, speed, acceleration = self.task.size, self.task.largest_speed, self.task.largest_acceleration
-        scales = {"length": size, "velocity": speed, "acceleration": acceleration}
-        return scales.get(measure) or {
-            "angular velocity": speed / size,
-            "angular acceleration": acceleration / size,
-        }.get(measure, 0.0)
+        match measure:
+            case "length":
+                return self.task.size
+            case "velocity":
+                return self.task.largest_speed
+            case "acceleration":
+                return self.task.largest_acceleration
+            case "angular velocity":
+                return self.task.largest_speed / self.task.size
+            case "angular acceleration":
+                return self.task.largest_acceleration / self.task.size
+        return 0.0
 
     def term(self, name: Name, size: Value | None, angle: Value, key: str, **facts: Fact) -> Term:
         """A vector with the reason of its direction (a sentence of the file ``ways``)."""

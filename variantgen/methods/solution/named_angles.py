@@ -7,18 +7,17 @@ from itertools import combinations
 
 from variantgen.algebra.expression import Constant, Value
 from variantgen.methods.geometry.angle_sums import angle_sum, difference, is_short, is_single, valued
-from variantgen.methods.geometry.angles import AngleForm, between, corner_name
+from variantgen.methods.geometry.angles import AngleForm, between, corner_name, short
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Derived, Fact, Share, VectorOf
 from variantgen.variants.printed_data import shown_points
 
 _RIGHT = 90.0  # degrees
 _SAME = 1e-6  # degrees within which an angle of the figure is a sum
-_DIGITS = 6  # decimals of a number of degrees by which sums are told apart
 
 
 def _key(form: AngleForm) -> AngleForm:
-    return AngleForm(form.parts, round(form.constant, _DIGITS) + 0.0)
+    return AngleForm(form.parts, short(form.constant))
 
 
 def by_name(book: Book, angle: Value) -> Value:
@@ -102,7 +101,7 @@ def _corner(book: Book, form: AngleForm) -> Value | None:
 
 def renamed(book: Book, share: Share) -> Share:
     """A projection with the angle that has a name, where its sum is that or its complement or supplement."""
-    if share.angle is None or is_single(form := angle_sum(share.angle)):
+    if share.angle is None or not book.named_angles or is_single(form := angle_sum(share.angle)):
         return share
     ways = [(0.0, 1.0, share.function), (_RIGHT, -1.0, _OTHER[share.function])]
     if share.function == "sin":

@@ -74,9 +74,10 @@ class AxisOf:
 
 @dataclass(frozen=True, slots=True)
 class NumberOf:
-    """A value in a sentence as its number with its unit only."""
+    """A value in a sentence as its number with its unit only, or ``worked_out``: its arithmetic and then the number."""
 
     value: Value
+    worked_out: bool = False
 
 
 # A Name or a Value in a sentence is written as its symbol; a tuple as a list.

@@ -8,6 +8,7 @@ from variantgen.algebra.expression import Constant, Expression, Magnitude, Pi, R
 from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import simplified
 from variantgen.families.family import ComponentTemplate
+from variantgen.families.literal_data import rate_name
 from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.families.parameters.units import IN_LONGER_TIMES, LENGTHS, Unit, short_unit, unit
 from variantgen.mechanism.drivers.circling import Circling
@@ -153,7 +154,7 @@ def amount(book: Book, template: ComponentTemplate, key: str, measure: str) -> V
         usual = unit(book.task.unit_of(measure))
         printed = short_unit(si, usual)
         if printed == usual:
-            return Value(None, measure, number)
+            return book.task.stated_rates.get(rate_name(template, key)) or Value(None, measure, number)
         return book.derive(_name_of(book, template, key), measure, _converted(si, printed, usual))
     if book.order == 1:
         _say_law(book, template, source)

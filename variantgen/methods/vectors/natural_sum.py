@@ -18,8 +18,9 @@ from variantgen.methods.geometry.geometry import Geometry, normal_angle
 from variantgen.methods.solution.book import Book, Known
 from variantgen.methods.solution.named_angles import named
 from variantgen.methods.steps.step import Fact, Share, Term, VectorOf, Word
+from variantgen.methods.vectors.collected import collected
 from variantgen.methods.vectors.directions import on_paper
-from variantgen.methods.vectors.vector_equation import collected, shares
+from variantgen.methods.vectors.vector_equation import shares
 
 _STRAIGHT = 1e-7  # degrees within which two directions are one line, or square
 _NOTHING = 1e-9  # of the largest vector: a smaller sum is none

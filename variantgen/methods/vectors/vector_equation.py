@@ -28,10 +28,10 @@ from variantgen.methods.steps.step import (
     VectorOf,
     Word,
 )
+from variantgen.methods.vectors.collected import PARALLEL, collected, has_angle, projection_of, quotient
 from variantgen.methods.vectors.directions import QUARTERS, on_paper, pointed
 
 _PERPENDICULAR = 1e-7  # degrees from a right angle within which a projection is zero
-_PARALLEL = 1e-7
 _CLEAR = 1.05  # how much larger than the others together a projection is that is said to prevail
 _CROSSING = 1e-9  # sine of the angle between two directions that determine their vectors
 AXES = ("xi", "eta")  # letters of the axes of an equation: x and y are those of the figure of the statement
@@ -135,62 +135,13 @@ def _projected(
     book.items.append(Projection(words, sides[0], sides[1], axis, "" if other is None else letter))
     if total is not None and own.factor is not None:
         expression: Expression = total / own.factor
-    elif book.style.shortcuts and len(known) == 1 and known[0][0] > 0 and _has_angle(known[0][1], own):
+    elif book.style.shortcuts and len(known) == 1 and known[0][0] > 0 and has_angle(known[0][1], own):
         expression = known[0][1].term.size or Constant(0.0)  # equal angles: the magnitudes are equal
     else:
-        expression = _quotient(collected(known), own.factor)
+        expression = quotient(collected(known), own.factor)
     value = Value(term.name, book.measure, expression.number(True), expression, book.size_of(book.measure))
     book.items.append(Derived(value, symbolic=False))
     return value
-
-
-def collected(known: Sequence[tuple[int, Share]]) -> list[tuple[int, Expression]]:
-    """Known projections with their signs as expressions; vectors at one angle with the axis are added first.
-
-    So collinear vectors are subtracted before they are projected: ``(220 - 121) cos 40.60``.
-    """
-    groups: list[list[tuple[int, Share]]] = []
-    for sign, share in known:
-        group = next((found for found in groups if _has_angle(share, found[0][1])), None)
-        groups.append([(sign, share)]) if group is None else group.append((sign, share))
-    found: list[tuple[int, Expression]] = []
-    for group in groups:
-        factor = group[0][1].factor
-        if len(group) == 1 or factor is None:
-            found += [(sign, _share(share)) for sign, share in group]
-            continue
-        sizes = [(sign, share.term.size) for sign, share in group if share.term.size is not None]
-        flip = 1 if sum(sign * size.exact for sign, size in sizes) >= 0 else -1
-        inner = sorted(((flip * sign, size) for sign, size in sizes), key=lambda term: -term[0])
-        found.append((flip, Total(tuple(inner)) * factor))
-    return found
-
-
-def _has_angle(first: Share, second: Share) -> bool:
-    """Whether two vectors make the same angle with the axis."""
-    if first.angle is None or second.angle is None:
-        return first.angle is second.angle
-    acute = [
-        abs(s.angle.exact - (90.0 if s.function == "sin" else 0.0)) for s in (first, second) if s.angle is not None
-    ]
-    return abs(acute[0] - acute[1]) < _PARALLEL
-
-
-def _quotient(parts: Sequence[tuple[int, Expression]], factor: Expression | None) -> Expression:
-    """The sum of the parts over the cosine that stands with the unknown."""
-    if not parts:
-        return Constant(0.0)
-    above: Expression = parts[0][1] if len(parts) == 1 and parts[0][0] > 0 else Total(tuple(parts))
-    return above if factor is None else above / factor
-
-
-def _share(share: Share) -> Expression:
-    """A known projection as an expression, without its sign."""
-    if share.term.size is None:
-        raise NotApplicableError(
-            f"more than one unknown vector is left: {share.term.name.kind} of {share.term.name.of}"
-        )
-    return share.size
 
 
 def shares(terms: Sequence[Term], axis: Value) -> tuple[Share, ...]:
@@ -222,7 +173,7 @@ def share_of(term: Term, axis: Value) -> Share | None:
         return None
     obtuse = abs(angle) > 90.0
     size = 180.0 - abs(angle) if obtuse else abs(angle)
-    if size < _PARALLEL:
+    if size < PARALLEL:
         return Share(-1 if obtuse else 1, term, None)
     sign = -1 if obtuse else 1
     function, written = acute(term.angle, axis, size)
@@ -272,7 +223,7 @@ def _sense_words(book: Book, term: Term, known: Sequence[tuple[int, Share]], tot
     if not known:
         return []
     facts: dict[str, Fact] = {"vector": VectorOf(term.name), "side": Word(on_paper(term.angle.exact))}
-    sizes = [(sign * _share(share).number(True), share.term) for sign, share in known]
+    sizes = [(sign * projection_of(share).number(True), share.term) for sign, share in known]
     against = -sum(min(size, 0.0) for size, _ in sizes)
     if len(sizes) == 1:
         return [Sentence("axes.by_one", {**facts, "known": _named_in_text(sizes[0][1])})]
@@ -286,7 +237,7 @@ def _sense_words(book: Book, term: Term, known: Sequence[tuple[int, Share]], tot
 
 def _close_sum(book: Book, known: Sequence[tuple[int, Share]]) -> Value | None:
     """The sum of known projections of which none dominates; None where the sense is seen without it."""
-    sizes = [sign * _share(share).number(True) for sign, share in known]
+    sizes = [sign * projection_of(share).number(True) for sign, share in known]
     against = -sum(min(size, 0.0) for size in sizes)
     if len(sizes) < 2 or against == 0 or max(sizes) > _CLEAR * against:
         return None

@@ -35,6 +35,7 @@ from variantgen.methods.steps.step import (
 from variantgen.methods.steps.step_geometry import ChainGraph
 from variantgen.methods.steps.whole_vectors import written_sides
 from variantgen.wording.formula import (
+    Equation,
     Formula,
     Graph,
     Measured,
@@ -172,6 +173,8 @@ class Writer:
                 return (self.symbols.centre(kind, body),)
             case AxisOf(letter):
                 return (Symbol(self.formulas.language.axis(letter)),)
+            case NumberOf(Value(expression=Expression() as whole) as value, worked_out=True):
+                return (Equation(self.formulas.numeric(whole), self.formulas.measured(value)),)
             case NumberOf(value):
                 return (self.formulas.measured(value),)
             case Value():

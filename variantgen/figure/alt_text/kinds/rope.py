@@ -14,8 +14,10 @@ Path = tuple[Bend, ...]
 
 
 def tell(alt_text: AltText, items: Sequence[Rope]) -> list[str]:
-    """A clause for each rope; two that meet on one rim are one."""
-    return [_clause(alt_text, path) for path in _joined([joint.path for joint in items])]
+    """A clause for each rope or belt; ropes that meet on one rim are one."""
+    closed = {id(joint.path[-1]) for joint in items if joint.closing}
+    paths = _joined([joint.path for joint in items])
+    return [_belt(alt_text, path[:-1]) if id(path[-1]) in closed else _clause(alt_text, path) for path in paths]
 
 
 def _joined(paths: Sequence[Path]) -> list[Path]:
@@ -49,6 +51,14 @@ def _clause(alt_text: AltText, path: Path) -> str:
     return alt_text.say("rope", stations=alt_text.say("rope_then").join(names))
 
 
+def _belt(alt_text: AltText, path: Path) -> str:
+    """A closed belt from its first pulley to its last, from which it comes back to the first."""
+    ways = [_straight(alt_text, first, second) for first, second in pairwise((*path, path[0]))]
+    names = [_bend(alt_text, path, i, ways[i - 1] - ways[i]) for i in range(len(path))]
+    is_crossed = len(path) == 2 and path[0].side != path[1].side
+    return alt_text.say("belt_crossed" if is_crossed else "belt", stations=alt_text.say("rope_then").join(names))
+
+
 def _straight(alt_text: AltText, first: Bend, second: Bend) -> complex:
     """The direction of a straight piece on paper."""
     circles = [
@@ -67,7 +77,7 @@ def _bend(alt_text: AltText, path: Path, i: int, outwards: complex) -> str:
     bend = path[i]
     touch = alt_text.say("rope_round", side=alt_text.side(outwards)) if abs(outwards) > 1e-3 else ""
     if bend.body is not None:
-        return alt_text.say("rope_disc", disc=alt_text.disc(bend.point, bend.body), touch=touch)
+        return _rim(alt_text, bend, bend.body, touch)
     return alt_text.say("rope_pulley" if bend.fixed else "rope_block", place=_place(alt_text, path, i), touch=touch)
 
 
@@ -78,11 +88,7 @@ def _end(alt_text: AltText, path: Path, i: int, way: complex) -> str:
         touch = alt_text.say(
             "rope_leaves", side=alt_text.side(1j * float(alt_text.board.frame.sense * bend.side) * way)
         )
-        larger = alt_text.is_larger(bend.body, float(bend.radius) * alt_text.board.sketch.scale)
-        if larger is None:
-            return alt_text.say("rope_disc", disc=alt_text.disc(bend.point, bend.body), touch=touch)
-        key = "rope_larger_rim" if larger else "rope_smaller_rim"
-        return alt_text.say(key, disc=alt_text.disc(bend.point, bend.body), touch=touch)
+        return _rim(alt_text, bend, bend.body, touch)
     if bend.fixed:
         return alt_text.say("rope_anchor", place=_place(alt_text, path, i))
     if alt_text.owners(bend.point) or (bend.point not in alt_text.board.loads and alt_text.is_shown(bend.point)):
@@ -90,6 +96,13 @@ def _end(alt_text: AltText, path: Path, i: int, way: complex) -> str:
     if alt_text.is_shown(bend.point):
         return alt_text.say("rope_load", point=alt_text.name(bend.point))
     return alt_text.say("rope_nameless_load", place=_place(alt_text, path, i))
+
+
+def _rim(alt_text: AltText, bend: Bend, body: str, touch: str) -> str:
+    """A drum, of a stepped one the rim that the rope is on."""
+    larger = alt_text.is_larger(body, float(bend.radius) * alt_text.board.sketch.scale)
+    key = "rope_disc" if larger is None else "rope_larger_rim" if larger else "rope_smaller_rim"
+    return alt_text.say(key, disc=alt_text.disc(bend.point, body), touch=touch)
 
 
 def _place(alt_text: AltText, path: Path, i: int) -> str:

@@ -22,6 +22,8 @@ _STEADY = 1e-9  # of the velocities: a piece that swings less keeps its directio
 
 def state(model: Model, joint: Rope, template: None) -> None:
     """``sum l_j + wound arcs = const``, with ``l = (x_2 - x_1) cos theta + (y_2 - y_1) sin theta``."""
+    if joint.closing:
+        return
     terms: list[tuple[int, Maybe]] = []
     constant = 0.0
     for first, second in pairwise(joint.path):

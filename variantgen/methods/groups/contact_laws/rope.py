@@ -16,9 +16,11 @@ _STILL = 1e-9  # of the largest velocity: a piece of thread that turns slower ke
 
 
 def contact(task: Task, number: int) -> NoSlipContact | None:
-    """The two ends; None where a pulley in between moves, or where a piece of the thread turns."""
+    """The two ends; None where a pulley in between moves, a piece of the thread turns, or it only closes a belt."""
     joint = task.scene.joints[number]
     assert isinstance(joint, Rope)
+    if joint.closing:
+        return None
     pieces = [complex(ray) for ray, _ in joint.pieces(metres(task))]
     if not all(bend.fixed for bend in joint.path[1:-1]) or not _keeps_direction(task, joint, pieces):
         return None

@@ -14,8 +14,8 @@ from variantgen.algebra.expression import Constant, Expression, Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.substitution import substituted
 from variantgen.algebra.values import in_order
+from variantgen.methods.checks.result_check import are_equated, worked_out
 from variantgen.methods.geometry.geometry import Geometry
-from variantgen.methods.result_check import are_equated, worked_out
 from variantgen.methods.solution.book import Book
 from variantgen.methods.solution.named_angles import renamed
 from variantgen.methods.steps.step import (

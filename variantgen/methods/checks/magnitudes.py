@@ -1,6 +1,6 @@
 """A sanity check of magnitudes: a bound that a rigid body sets to a vector, by numbers that no one line has joined.
 
-It applies where no other check stands (:mod:`variantgen.methods.result_check`) and costs one line. Three bounds:
+It applies where no other check stands (:mod:`variantgen.methods.checks.result_check`) and costs one line. Three bounds:
 
 - a point C between A and B of a body has a vector between theirs, ``a_C < max(a_A, a_B)``, where no one of the three
   was worked out by both others: half their sum could not break the bound;

@@ -120,7 +120,7 @@ def _compared(book: Book, line: VectorLine, point: str, pole: str, shown: Collec
     facts["centre"] = Point(resting_letter(book.task, centre.body, centre.at)) if centre.at else centre.fact
     key = "check.other_base_point" if contact else "check.other_base_point_at_rest"
     if contact and contact[0].size is not None:
-        facts |= {"size": NumberOf(contact[0].size), "way": contact[0].way}
+        facts |= {"size": NumberOf(contact[0].size, not _is_met(book, contact[0].size, shown)), "way": contact[0].way}
     return [Sentence(key, facts, detail=False), Balance(sides[0], sides[1])]
 
 
@@ -145,6 +145,12 @@ def _of_contact(book: Book, centre: Centre, line: VectorLine, pole: str) -> tupl
     size = Value(None, "acceleration", whole.number(True), whole, book.task.largest_acceleration)
     way = Sentence("check.towards" if exact > 0 else "check.away", {"pole": Point(pole)})
     return Term(Name("a", pole), size, back if exact > 0 else ray.angle, way), size
+
+
+def _is_met(book: Book, size: Value, shown: Collection[Name | None]) -> bool:
+    """Whether a line of the solution has the number: that of the contact, or a normal acceleration of its size."""
+    met = (value.exact for name, value in book.values.items() if name.kind == "a" and name in shown)
+    return any(abs(number - size.exact) <= _NOTHING * size.size for number in met)
 
 
 def _is_seen(value: Value, shown: Collection[Name | None]) -> bool:

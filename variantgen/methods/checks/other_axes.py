@@ -13,8 +13,8 @@ from collections.abc import Mapping, Sequence
 from variantgen.algebra.expression import Expression, Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import hypotenuse
+from variantgen.methods.checks.result_check import projected
 from variantgen.methods.geometry.geometry import Geometry
-from variantgen.methods.result_check import projected
 from variantgen.methods.solution.book import Book
 from variantgen.methods.solution.named_angles import renamed
 from variantgen.methods.steps.step import Balance, Derived, Fact, Item, Sentence, Step, Term, VectorLine, VectorOf
