@@ -49,12 +49,10 @@ class Line:
     def letters(self, style: Style, text: str) -> None:
         """Set letters."""
         gap = self._take_gap()
-        if style == self._style:
-            between = _SPACES.get(gap) if gap and style[1:] == FULL[1:] else None if gap else ""
-            if between is not None:
-                text = _text(self._found.pop()) + between + text
-                gap = 0.0
-        if gap:
+        between = _between(gap, style) if style == self._style else None
+        if between is not None:
+            text = _text(self._found.pop()) + between + text
+        elif gap:
             self._found.append(gap)
         self._found.append(text if style == FULL else (*style, text))
         self._style = style
@@ -92,6 +90,13 @@ class Line:
     def _take_gap(self) -> float:
         gap, self._gap = self._gap, 0.0
         return rounded(gap) if gap else gap
+
+
+def _between(gap: float, style: Style) -> str | None:
+    """What stands for a space between letters of one style, if they can be one fragment."""
+    if not gap:
+        return ""
+    return _SPACES.get(gap) if style[1:] == FULL[1:] else None
 
 
 def _text(fragment: Fragment) -> str:
