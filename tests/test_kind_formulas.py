@@ -237,7 +237,42 @@ def _planet_seen() -> dict[str, float]:
     return found | {"v_M": hypot(arm * 60, planet * 20)}
 
 
+def _slider(phi: float) -> tuple[float, float]:
+    """The place of a slider (cm) by the angle of its crank of 20, with a rod of 60, and the angle of the rod."""
+    return 20 * cos(phi) + sqrt(60**2 - (20 * sin(phi)) ** 2), -asin(sin(phi) / 3)
+
+
+def _crank_turned() -> dict[str, float]:
+    """0.5 t^2 + t = 2 pi / 3."""
+    instant = sqrt(1 + 4 * pi / 3) - 1
+    v, a = _rates(lambda t: _slider(t**2 / 2 + t)[0], instant)
+    turning, _ = _rates(lambda t: _slider(t**2 / 2 + t)[1], instant)
+    return {"instant_t": instant, "v_B": abs(v), "a_B": abs(a), "omega_AB": turning}
+
+
+def _slider_at_speed() -> dict[str, float]:
+    def place(t: float) -> float:
+        return _slider(t**2 / 2 + t)[0]
+
+    before = next(k * 1e-3 for k in range(1, 3000) if abs(_rates(place, (k + 1) * 1e-3)[0]) >= 50)
+    instant = _root(lambda t: abs(_rates(place, t)[0]) - 50, before, before + 1e-3)
+    found = {"instant_t": instant, "x_B": place(instant) / 100, "omega_OA": instant + 1}
+    return found | {"epsilon_AB": _rates(lambda t: _slider(t**2 / 2 + t)[1], instant)[1]}
+
+
+def _stone() -> dict[str, float]:
+    """4.9 t^2 - 15 t + 6 = 0: the way up is before the beginning of the interval, so the stone falls."""
+    instant = (15 + sqrt(15**2 - 4 * 4.9 * 6)) / 9.8
+    down = 15 - 9.8 * instant
+    speed = hypot(12, down)
+    found = {"instant_t": instant, "v_M": speed, "v_M.angle": cmath.phase(complex(12, down)) * 180 / pi}
+    return found | {"rho_M": speed**3 / (12 * 9.8), "max_t_y_M": 2 + 15**2 / 19.6}
+
+
 KINDS = {
+    "crank_turned": _crank_turned,
+    "slider_at_speed": _slider_at_speed,
+    "stone_at_height": _stone,
     "two_cyclists": _two_cyclists,
     "spindle_from_rest": _spindle,
     "spiral_arm": _spiral,

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import math
 import re
 from pathlib import Path
 
 import pytest
 
+import variantgen
+from variantgen.check.family import check_family
 from variantgen.cli import main
 from variantgen.families.parameters.parameter import Parameter
 from variantgen.families.reading.load import load_family
+from variantgen.figure.drawing import Arc
+from variantgen.single import one_variant
 
 KINDS = Path(__file__).parent / "textbook_kinds"
 
@@ -62,7 +67,7 @@ def test_parameters_stand_with_the_numbers(tmp_path, capsys):
     path.write_text(text.replace("angle = 20", 'angle = "phi"'), encoding="utf-8")
     out = _shown(capsys, str(path), "--lang", "ru")
     assert "Дано: φ = 25°, OA = 120 мм" in out
-    assert "∠(OA, x)" not in out
+    assert "∠(OA, x) = φ," in out
     assert "На рисунке показан" in out
 
 
@@ -201,6 +206,8 @@ def test_two_radii_of_a_body_are_given_and_have_the_same_names_in_the_solution(t
         ("oblique_guides", "ru", "a_B cos 55° = −a_A cos 50° + a^n_BA a_B = (−3 · cos 50° + 14,18) / cos 55°"),
         ("bead_on_ring_moving", "en", "v_M ξ = v_C − v_rel M cos 30° = 1 − 0.6 · cos 30°"),
         ("bead_on_ring_moving", "en", "a_rel M = √((a_rel M)_n^2 + (a_rel M)_t^2)"),
+        ("geneva", "en", "∠OCA = arctan(AO sin 20° / (100 − AO cos 20°))"),
+        ("incline_blocks_rope", "en", "r_K · θ_AK − x_A cos(θ_AK + 31.70°)"),
         ("frame_on_cart", "ru", "_rod = −ε_rod/cart = −0,5 рад/с²"),
         ("excavator", "en", "_HG = −v_HG = −0.05 m/s"),
     ],
@@ -212,3 +219,45 @@ def test_the_solution_has_a_given_rate_by_its_letter(scene, language, line, caps
 def test_what_is_given_on_a_circle_is_the_tangential_acceleration(capsys):
     out = _shown(capsys, str(KINDS / "bead_on_ring_moving.toml"))
     assert "v_rel M = 0.6 m/s, (a_rel M)_t = 0.2 m/s²" in out
+
+
+# What a student of the sheet alone needs: guides, the radius of a wheel, where a pulley stands, how a vector points.
+@pytest.mark.parametrize(
+    ("scene", "language", "told"),
+    [
+        ("oblique_guides", "en", "The guide of A makes an angle of 75° with the horizontal. The guide of B makes an"),
+        ("oblique_guides", "ru", "Направляющая точки B составляет с горизонталью угол 30°."),
+        ("plate_two_directions", "en", "v_A = 20 cm/s, ∠(v_A, x) = 110°."),
+        ("two_wheels_rod", "en", "r_w1 = 20 cm, r_w2 = 15 cm,"),
+        ("incline_blocks_rope", "ru", "r_K = 0,2 м, x_A = −2 м, y_A = −1 м, x_K = 0 м, y_K = 0 м,"),
+        ("free_plate_centre", "ru", "v_A = 20 см/с, a_A = 30 см/с², ∠(v_A, x) = 110°, ∠(a_A, x) = 10°, ω_AB = 2 рад/с"),
+    ],
+)
+def test_the_sheet_tells_what_answers_depend_on(scene, language, told, capsys):
+    assert told in _shown(capsys, str(KINDS / f"{scene}.toml"), "--lang", language)
+
+
+def test_a_guide_by_a_parameter_and_a_length_by_a_formula(tmp_path, capsys):
+    text = (KINDS / "oblique_guides.toml").read_text(encoding="utf-8")
+    parameters = '[parameters]\nbeta = { unit = "deg", values = [75] }\nL = { unit = "in", values = [20] }\n'
+    text = text.replace("[points]", f"{parameters}\n[points]").replace("angle = 75 }\n[[", 'angle = "beta" }\n[[')
+    path = tmp_path / "guides.toml"
+    path.write_text(text.replace("distance = 20", 'distance = "L"'), encoding="utf-8")
+    out = _shown(capsys, str(path))
+    assert "The guide of A makes an angle of β with the horizontal." in out
+    assert "AB = L, L = 20 in" in out or "L = 20 in, β = 75°, AB = L," in out
+    path.write_text(text.replace("distance = 20", 'distance = "2 * L"'), encoding="utf-8")
+    assert "AB = 40 in" in _shown(capsys, str(path))
+
+
+def test_the_figure_marks_the_angle_of_an_inclined_guide():
+    variant = one_variant(str(KINDS / "oblique_guides.toml"))
+    drawing = variantgen.picture(variant).drawing
+    arcs = [math.degrees(abs(line.sweep)) for line in drawing.lines if isinstance(line, Arc)]
+    assert sorted(round(arc, 6) for arc in arcs if 0 < arc < 90) == [30, 75]
+
+
+def test_a_number_of_the_data_that_is_asked_is_a_remark():
+    report = check_family(str(KINDS / "bead_on_ring_moving.toml"))
+    assert report.remarks == ["ask: v_rel_M is a number of the data; what is asked should have to be found"]
+    assert not check_family(str(KINDS / "geneva.toml")).remarks

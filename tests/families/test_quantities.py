@@ -101,6 +101,20 @@ def test_what_the_data_do_not_determine_cannot_be_asked() -> None:
         read_ask(form, ["v_B"])
 
 
+@pytest.mark.parametrize(
+    ("name", "said", "instead"),
+    [
+        ("distance_O.C", "is given, so it cannot be asked", "their distance is a length of the data"),
+        ("distance_B.C", "this position is not asked of the family", "may be asked: v_A, v_C, v_B, a_A,"),
+        ("v_D", "the data of this problem do not determine it", "may be asked: v_A, v_C, v_B$"),
+        ("rho_D", "the data of this problem do not determine it", "distances from centres such as P_OA.O$"),
+    ],
+)
+def test_what_may_be_asked_instead_is_said(name: str, said: str, instead: str) -> None:
+    with pytest.raises(InputError, match=rf"(?s){said}.*{instead}"):
+        read_ask(load_family("sleeve_on_crank").forms[""], [name])
+
+
 def test_a_direction_along_an_axis_has_no_noise() -> None:
     """B is guided along an axis of the paper: its acceleration has a whole number of right angles."""
     family = load_family("slider_crank")

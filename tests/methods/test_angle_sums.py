@@ -9,7 +9,9 @@ import pytest
 from variantgen.algebra.expression import Applied, Constant, Total, Value
 from variantgen.algebra.name import Name
 from variantgen.methods.geometry.angle_sums import acute, angle_sum, difference, supplement
+from variantgen.methods.geometry.angles import AngleForm
 from variantgen.methods.geometry.geometry import Geometry
+from variantgen.methods.geometry.trigonometry import reduced
 from variantgen.outputs.single.explanation import explain
 from variantgen.single import one_variant
 
@@ -91,3 +93,30 @@ def test_a_sum_of_two_corners_is_a_corner_of_the_mechanism() -> None:
     assert "∠OAB = 90° − ∠CAB − ∠OCA = 90° − 43.94° − 26.57° = 19.49°" in text
     assert "v_B sin ∠ABC = v_A sin ∠OAB" in text
     assert text.count("    ∠ABC = ") == 1
+
+
+GIVEN = {name: Value(Name("parameter", name), "angle", size) for name, size in (("beta", 105.0), ("phi", 150.0))}
+
+
+class _Given:
+    """Angles of which all is known: beta = 105 and phi = 150 degrees."""
+
+    def taken_apart(self, form: AngleForm) -> AngleForm:
+        return form
+
+    def atom(self, atom: str) -> Value:
+        return GIVEN[atom]
+
+    def number(self, form: AngleForm) -> float:
+        total = form.constant + sum(count * GIVEN[str(atom)].exact for atom, count in form.parts)
+        return (total + 180.0) % 360.0 - 180.0
+
+
+@pytest.mark.parametrize("function", ["sin", "cos"])
+def test_a_sum_of_given_angles_beyond_180_degrees_is_turned_back(function: str) -> None:
+    """sin(105 + 150) = -sin(105 + 150 - 180): a length that is a projection has no minus and no negative sine."""
+    sign, item = reduced(_Given(), function, AngleForm((("beta", 1.0), ("phi", 1.0))))  # type: ignore[arg-type]
+    assert sign == -1
+    assert isinstance(item, Applied)
+    assert item.function == function
+    assert item.argument.number(True) == pytest.approx(75.0)

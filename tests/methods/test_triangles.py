@@ -134,3 +134,32 @@ def test_the_height_is_taken_at_the_end_where_one_sine_is_enough() -> None:
     assert f"= {abc:.2f}°" in text
     assert "∠ABC = arcsin(AP sin ∠P / AB)" in text
     assert "∠OAB = ∠ABC + ∠P" in text
+
+
+def test_a_perpendicular_may_fall_beyond_the_vertex() -> None:
+    # By hand: 33 + 61 cos 145 = -16.97, so H is beyond C, and OCA = 180 - arctan(34.99 / 16.97).
+    text = text_of("slotted_rocker", "rotating", OA=61, OC=33, CB=70, phi=145)
+    leg, height = -33 - 61 * math.cos(math.radians(145)), 61 * math.sin(math.radians(145))
+    assert "Drop the perpendicular AH to OC, produced beyond C:" in text
+    assert f"CH = −OC − OA cos φ = −33 − 61 · cos 145° = {leg:.2f} cm" in text
+    assert f"∠OCA = 180° − arctan(AH / CH) = 180° − arctan({height:.2f} / {leg:.2f})" in text
+    assert f"= {180 - math.degrees(math.atan2(height, leg)):.2f}°" in text
+    assert "horizontal" not in text and "vertical" not in text
+
+
+def test_the_angle_of_a_right_triangle_is_named_by_its_foot() -> None:
+    # AH = 50 - 20 cos 80 - 30 cos 70 along OC, BH = 30 sin 70 - 20 sin 80 across it.
+    data = {"OA": 20, "AM": 60, "BM": 45, "BC": 30, "OC": 50, "phi": 80, "psi": 70}
+    text = text_of("two_cranks_and_rod", "", **data)
+    along = 50 - 20 * math.cos(math.radians(80)) - 30 * math.cos(math.radians(70))
+    across = 30 * math.sin(math.radians(70)) - 20 * math.sin(math.radians(80))
+    assert "∠BAH = arctan(BH / AH)" in text
+    assert f"= {math.degrees(math.atan(across / along)):.2f}°" in text
+    assert "horizontal" not in text
+
+
+def test_equal_sides_of_the_triangle_of_the_centre_are_found_once() -> None:
+    # The wall leans by 70 degrees: 70 + 55 - 90 at A and 90 - 55 at B are both 35, so AP = 2 / cos 35.
+    text = text_of("ladder", "oblique", AB=4, phi=55, gamma=70)
+    assert "Triangle ABP is isosceles with the base AB" in text
+    assert f"BP = AP = {2 / math.cos(math.radians(35)):.3f} m" in text

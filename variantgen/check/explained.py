@@ -10,6 +10,7 @@ from variantgen.check.report import Report
 from variantgen.check.untold import untold_numbers
 from variantgen.errors import VariantgenError
 from variantgen.exam.solution_figures import solution_figure_faults
+from variantgen.families.literal_data import literal_data
 from variantgen.families.quantities import Quantity, motion_order
 from variantgen.figure.build import statement_figure
 from variantgen.mechanism.doubts import doubts
@@ -34,6 +35,9 @@ def check_single_scene(name_or_path: str, folders: tuple[Path, ...], report: Rep
     motion = solve_variants([variant], motion_order(asked))
     check_explained(variant, motion, asked, report)
     check_told([variant], asked, report)
+    stated = {datum.name for datum in literal_data(variant.form) if datum.kind == "rate"}
+    for name in dict.fromkeys(q.name for q in asked if q.whole_name in stated and q.component in ("", "abs", "sense")):
+        report.remark(f"ask: {name} is a number of the data; what is asked should have to be found")
     try:
         statement_figure(variant, motion, 0, asked, load_language(languages()[0]))
     except VariantgenError as error:

@@ -6,36 +6,30 @@ of the same size and measure are taken for one that stands in several places, an
 
 Some numbers are told in words and are left alone: whole ones and quarters without a unit ("the midpoint", the 2 of a
 formula), right angles, their halves, and the angle of an equilateral triangle.
+
+Of a scene, which has no words of its own, :mod:`variantgen.check.scene_numbers` asks the same in another way.
 """
 
 from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.algebra.expression import (
-    Applied,
-    Constant,
     Expression,
-    Magnitude,
-    Raised,
-    Ratio,
-    SquareRoot,
-    Times,
     Total,
     Variable,
 )
-from variantgen.algebra.values import walk
+from variantgen.check.form_numbers import changed_numbers, number_of
+from variantgen.check.scene_numbers import undetermined
 from variantgen.check.statement_reading import read_sheet
-from variantgen.families.family import ComponentTemplate, Form
-from variantgen.families.parameters.expressions import FamilyExpression
+from variantgen.families.family import Form
 from variantgen.families.parameters.parameter import Parameter
 from variantgen.families.parameters.units import LENGTHS, UNITS, unit
 from variantgen.families.quantities import Quantity, motion_order, parse_quantity
@@ -68,13 +62,6 @@ class _Number:
     measures: str
     places: list[str]
 
-    def written(self, length_unit: str) -> str:
-        """The number with its unit, for a message."""
-        if not self.measures:
-            return f"{self.value:.6g}"
-        own = unit({"length": length_unit, "angle": "deg"}.get(self.measures, _SI[self.measures]))
-        return f"{own.from_si(self.value):.6g} {own.name}"
-
 
 @dataclass(frozen=True)
 class Untold:
@@ -94,8 +81,16 @@ def untold_numbers(variants: Sequence[Variant], asked: Sequence[Quantity]) -> It
     Raises InputError if a statement is missing or faulty.
     """
     family, names = variants[0].family, {quantity.name for quantity in asked}
+    if family.folder is None:
+        for own, dependent in undetermined(variants[0], asked):
+            yield Untold(
+                own.place,
+                _message(_written(own.value, own.measures, family.length_unit), dependent, True),
+                True,
+            )
+        return
     asked = _askable(variants[0], asked)
-    form, found = _with_numbers(variants[0].form, is_scene=family.folder is None)
+    form, found = _with_numbers(variants[0].form)
     if not found:
         return
     sheets_of = [[_told(variant, asked, load_language(name)) for name in languages()] for variant in variants]
@@ -108,10 +103,18 @@ def untold_numbers(variants: Sequence[Variant], asked: Sequence[Quantity]) -> It
         changed = _changed_answers(form, found, name, seen, asked) if seen else []
         if changed:
             wrong = [name for name in changed if name in names]
-            written = number.written(family.length_unit)
+            written = _written(number.value, number.measures, family.length_unit)
             yield Untold(
                 ", ".join(number.places[:_PLACES]), _message(written, wrong or changed, bool(wrong)), bool(wrong)
             )
+
+
+def _written(value: float, measures: str, length_unit: str) -> str:
+    """A number with its unit, for a message."""
+    if not measures:
+        return f"{value:.6g}"
+    own = unit({"length": length_unit, "angle": "deg"}.get(measures, _SI[measures]))
+    return f"{own.from_si(value):.6g} {own.name}"
 
 
 def _message(number: str, dependent: Sequence[str], asked: bool) -> str:
@@ -125,8 +128,6 @@ def _message(number: str, dependent: Sequence[str], asked: bool) -> str:
 def _askable(variant: Variant, asked: Sequence[Quantity]) -> list[Quantity]:
     """What is asked, and of a family what may be asked."""
     form, known = variant.form, {quantity.name for quantity in asked}
-    if variant.family.folder is None:
-        return list(asked)
     further = [name for name in form.askable if "." not in name and name not in known]
     return [*asked, *(parse_quantity(name, form.sample) for name in further)]
 
@@ -164,10 +165,7 @@ def _told(variant: Variant, asked: Sequence[Quantity], language: Language) -> li
     """The numbers that the sheet of a variant tells beside parameters: absolute values in SI and what they measure."""
     said = statement(variant, asked, language)
     sheet = read_sheet(said, variant.form, language)
-    numbers = list(sheet.numbers)
-    if variant.family.folder is None:
-        numbers += [number for data in sheet.data.values() for number in data]
-    return [(abs(number.value), number.measures) for number in numbers] + _plain_decimals(said)
+    return [(abs(number.value), number.measures) for number in sheet.numbers] + _plain_decimals(said)
 
 
 def _plain_decimals(said: Statement) -> list[tuple[float, str]]:
@@ -182,17 +180,16 @@ def _is_said(number: _Number, said: Sequence[tuple[float, str]]) -> bool:
     )
 
 
-def _with_numbers(form: Form, is_scene: bool) -> tuple[Form, dict[str, _Number]]:
-    """The form with its own numbers as further parameters.
-
-    Left out are the laws of motion of a scene and the numbers in it that stand for themselves: they have names of their
-    own on its sheet (:mod:`variantgen.families.literal_data`).
-    """
-    printed = {f"{law}{order}" for law in form.laws for order in ("", "_dot", "_ddot")} if is_scene else set()
+def _with_numbers(form: Form) -> tuple[Form, dict[str, _Number]]:
+    """The form with its own numbers as further parameters."""
     found: dict[str, _Number] = {}
     known: dict[tuple[float, str], str] = {}
 
-    def variable(value: float, measures: str, place: str) -> Expression:
+    def change(part: Expression, place: str) -> Expression | None:
+        size = _size(part)
+        if size is None:
+            return None
+        value, measures = size
         key = (float(f"{abs(value):.12g}"), measures)
         name = known.setdefault(key, f"number {len(known) + 1}")  # no name of a file has a space
         places = found.setdefault(name, _Number(abs(value), measures, [])).places
@@ -200,51 +197,18 @@ def _with_numbers(form: Form, is_scene: bool) -> tuple[Form, dict[str, _Number]]
             places.append(place)
         return Total(((1 if value > 0 else -1, Variable(name)),))
 
-    def read(item: Any, place: str) -> Any:
-        if isinstance(item, tuple):
-            return tuple(read(part, f"{place}.{i + 1}") for i, part in enumerate(item))
-        if isinstance(item, ComponentTemplate):
-            kind = item.component.__module__.rpartition(".")[2]
-            fields = {field: read(value, f"{place}.{kind}.{field}") for field, value in item.fields.items()}
-            return ComponentTemplate(item.component, fields)
-        if not isinstance(item, FamilyExpression) or (is_scene and not item.names):
-            return item
-
-        def change(part: Expression) -> Expression | None:
-            size = _size(part)
-            return size and variable(*size, f'{place} = "{item.text}"' if item.names else place)
-
-        return FamilyExpression(item.text, _rewritten(item.tree, change))
-
-    tables: dict[str, Any] = {
-        table: {
-            name: item if name in printed else read(item, f"{table}.{name}")
-            for name, item in getattr(form, table).items()
-        }
-        for table in ("derived", "points")
-    }
-    lists = {name: read(getattr(form, name), name) for name in ("conditions", "joints", "drivers")}
+    changed = changed_numbers(form, change)
     further = {
         name: Parameter(name, UNITS[_SI.get(number.measures, "1")], (Decimal(repr(number.value)),), symbol=name)
         for name, number in found.items()
     }
-    return replace(form, **tables, **lists, parameters={**form.parameters, **further}), found
+    return replace(changed, parameters={**form.parameters, **further}), found
 
 
-def _size(item: Expression) -> tuple[float, str] | None:
+def _size(part: Expression) -> tuple[float, str] | None:
     """The value (SI) of a part of an expression that is one number of the file, and what it measures; else None."""
-    match item:
-        case Constant(value, measures) if measures in _SI:
-            size = value, measures
-        case Constant(value):
-            size = value, ""
-        case Times((factor, Variable(name))) if name == "deg" or name in _LENGTHS:
-            if any(isinstance(part, Variable) for part in walk(factor)):
-                return None
-            size = float(FamilyExpression("", item).value({})), "angle" if name == "deg" else "length"
-        case _:
-            return None
-    return None if _needs_no_number(*size) else size
+    size = number_of(part)
+    return None if size is None or _needs_no_number(*size) else size
 
 
 def _needs_no_number(value: float, measures: str) -> bool:
@@ -252,23 +216,3 @@ def _needs_no_number(value: float, measures: str) -> bool:
     if measures == "angle":
         return any(abs(math.remainder(value, step)) < _EQUAL for step in _IN_WORDS)
     return value == 0 or (not measures and (_QUARTERS * value).is_integer())
-
-
-def _rewritten(item: Expression, change: Callable[[Expression], Expression | None]) -> Expression:
-    """An expression with those parts replaced for which ``change`` has something else."""
-    other = change(item)
-    if other is not None:
-        return other
-    parts = [_rewritten(part, change) for part in item.operands()]
-    match item:
-        case Total(terms):
-            return Total(tuple((sign, part) for (sign, _), part in zip(terms, parts, strict=True)))
-        case Times():
-            return Times(tuple(parts))
-        case Raised(_, exponent):
-            return Raised(parts[0], exponent)
-        case Applied(function):
-            return Applied(function, *parts)
-        case Ratio() | SquareRoot() | Magnitude():
-            return type(item)(*parts)
-    return item

@@ -6,10 +6,10 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from variantgen.errors import InputError, Problem, nearest
+from variantgen.errors import InputError, Problem
 from variantgen.families.family import Family, Form
 from variantgen.families.given_positions import given_position
-from variantgen.families.quantities import Quantity, in_unit, parse_quantity, split_unit
+from variantgen.families.quantities import Quantity, in_unit, parse_quantity, split_name, split_unit
 
 # What a form asks by itself: the answers of one order (1: velocities are enough to know it), or all.
 WORDS = {"velocities": (1,), "accelerations": (2,), "all": (0, 1, 2)}
@@ -105,15 +105,18 @@ def _read(form: Form, names: Sequence[str], key: str) -> list[Quantity]:
             continue
         try:
             quantity = parse_quantity(text, form.sample, place, (*form.askable, *WORDS))
-            if not form.may_be_asked(quantity):
+            stated = given_position(form, quantity) if quantity.group in ("position", "path", "centre") else ""
+            if not stated and not form.may_be_asked(quantity):
                 problem = "the data of this problem do not determine it"
-                problems.append(Problem(problem, key=place, value=text, remedy=nearest(text, form.askable)))
+                if quantity.group == "position":
+                    problem = "this position is not asked of the family: its may_ask does not name it"
+                problems.append(Problem(problem, key=place, value=text, remedy=_instead(form, quantity)))
             elif text not in form.askable and (hidden := {*quantity.points(form.points)} & {*form.figure.hidden}):
                 problem = f"the figure does not show {', '.join(sorted(hidden))}"
                 shown = ", ".join(sorted(name for name in form.points if name not in form.figure.hidden))
                 problems.append(Problem(problem, key=place, value=text, remedy=f"use other points: {shown}"))
-            elif quantity.group in ("position", "path", "centre") and (reason := given_position(form, quantity)):
-                problems.append(Problem("is given, so it cannot be asked", key=place, value=text, remedy=reason))
+            elif stated:
+                problems.append(Problem("is given, so it cannot be asked", key=place, value=text, remedy=stated))
             if wanted or asked.rstrip().endswith(" in"):
                 quantity = in_unit(quantity, wanted, place)
             if quantity not in found:  # a word may have named it
@@ -123,6 +126,18 @@ def _read(form: Form, names: Sequence[str], key: str) -> list[Quantity]:
     if problems:
         raise InputError(problems)
     return found
+
+
+def _instead(form: Form, quantity: Quantity) -> str:
+    """What may be asked in place of a quantity that the data do not determine: those of its kind, or one of each."""
+    plain = list(dict.fromkeys(name.partition(".")[0] for name in form.askable if not split_name(name).is_centre))
+    alike = [name for name in plain if name.rpartition("_")[0] == quantity.kind]
+    centres = [name for name in form.askable if split_name(name).is_centre]
+    if alike:
+        return f"may be asked: {', '.join(alike)}"
+    return f"may be asked: {', '.join(plain)}" + (
+        f", and distances from centres such as {centres[0]}" if centres else ""
+    )
 
 
 def _of_order(form: Form, word: str) -> list[Quantity]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from decimal import Decimal
 from typing import Any, Protocol
 
 import numpy as np
@@ -24,8 +25,25 @@ class Interval:
     end: FamilyExpression
 
 
+@dataclass(frozen=True)
+class FoundInstant:
+    """What the instant of a problem is found by: when a law of time or a quantity first has a value in the interval.
+
+    ``name`` is that of the law or of the quantity, ``value`` as it is written, in the unit of that name.
+    """
+
+    name: str
+    value: Decimal
+    unit: str
+
+
 class MovingForm(Protocol):
-    """What a course needs of a form: its scene for any values of its parameters."""
+    """What a course needs of a form: its scene for any values of its parameters, and whether its instant is found."""
+
+    @property
+    def found_instant(self) -> FoundInstant | None:
+        """By what the instant of the problem is found; None where it is given."""
+        ...
 
     def values(self, parameters: Mapping[str, Real]) -> dict[str, Real]:
         """Parameters in SI together with the derived quantities."""
@@ -60,6 +78,11 @@ class FormInTime:
         data = {name: own(value) for name, value in self.parameters.items()} | {self.time: times}
         frame = Frame(own(self.frame.turn), own(self.frame.sense)) if np.ndim(self.frame.turn) else self.frame
         return self.form.scene(self.form.values(data), frame)
+
+    @property
+    def found(self) -> str:
+        """The name of the instant, if it is found and not given."""
+        return self.time if self.form.found_instant else ""
 
     def take(self, index: NDArray[Any] | int, size: int) -> FormInTime:
         """The variants chosen by indices, shape (K,), a mask, shape (N,), or a single number."""

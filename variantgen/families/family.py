@@ -9,7 +9,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from variantgen.families.course import FormInTime, Interval
+from variantgen.families.course import FormInTime, FoundInstant, Interval
 from variantgen.families.figure_hints import FigureHints
 from variantgen.families.machine import Machine
 from variantgen.families.parameters.draw_rules import HandFriendly, Pose, Screens, TiedValues
@@ -77,6 +77,7 @@ class Form:
     nouns: Mapping[str, str] = field(default_factory=dict)  # what a body is called in a solution
     machine: Machine | None = None  # its size class; without one nothing is too large or too fast
     interval: Interval | None = None  # of time, in which it moves by its laws
+    found_instant: FoundInstant | None = None  # by what the instant of the problem is found, if it is not given
     friendly: bool = False  # only variants whose answers are short decimals or simple roots
 
     def __repr__(self) -> str:

@@ -62,7 +62,8 @@ class FigureHints:
     on a wall); ``stems``: points whose guide is a sleeve about a rod along it; ``right_angles`` that the
     text speaks of; ``found``: angles by their three points that the sheet tells because the position follows from a
     system of equations only; ``sketch``: quantities whose curves over a turn of the crank are to be drawn in a grid;
-    ``graph``: the parameters of a rate and its acceleration that a graph over time tells in place of numbers.
+    ``graph``: the parameters of a rate and its acceleration that a graph over time tells in place of numbers;
+    ``named``: points at rest that a scene shows by their letters because its data tell where they are.
     """
 
     angles: tuple[AngleMark, ...] = ()
@@ -82,3 +83,4 @@ class FigureHints:
     found: tuple[tuple[str, ...], ...] = ()
     sketch: tuple[str, ...] = ()
     graph: tuple[str, ...] = ()
+    named: tuple[str, ...] = ()

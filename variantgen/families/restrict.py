@@ -12,6 +12,7 @@ import numpy as np
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.family import Family, Form
+from variantgen.families.found_instant import with_found_instant
 from variantgen.families.length_units import check_length_unit, in_unit
 from variantgen.families.nice import hand_friendly, no_nice_forms
 from variantgen.families.parameters.parameter import Parameter
@@ -102,6 +103,10 @@ def _restricted(narrowing: _Narrowing) -> Family:
                 problems.append(
                     Problem("unknown parameter", key=f"{key}.{name}", value=name, remedy=nearest(name, known))
                 )
+    instants = {name for form in chosen.values() for name, parameter in form.parameters.items() if parameter.found}
+    for name in sorted((fixed.keys() | ranges.keys()) & instants):
+        remedy = "change instant in [laws]"
+        problems.append(Problem("the instant is found and cannot be set", "", f"set.{name}", name, remedy))
     for name in fixed.keys() & ranges.keys():
         problems.append(
             Problem("is both fixed and given a range", key=f"set.{name}", value=str(fixed[name]), remedy="remove one")
@@ -124,6 +129,8 @@ def _restricted(narrowing: _Narrowing) -> Family:
                 grids = (family.forms[form_name].parameters[name], parameter)
                 outside.setdefault(form_name, []).extend(_outside(parameters[name], fixed[name], grids))
         narrowed[form_name] = replace(form, parameters=parameters)
+        if form.found_instant and not problems:
+            narrowed[form_name] = with_found_instant(narrowed[form_name])
         if form.figure.graph and len(parameters) == len(form.parameters):
             narrowed[form_name] = read_from_graph(narrowed[form_name], form.figure.graph)
     fitting = [name for name, form in narrowed.items() if not outside.get(name) and set(fixed) <= set(form.parameters)]

@@ -25,7 +25,7 @@ class Board:
 
     ``scene`` holds the numbers of one variant (scalars), ``shown`` its named points, ``given`` the parameters that are
     marked, ``discs`` the radii (u) of the circles drawn of each body, ``poses`` the directions (rad) in which the
-    supports of fixed points stand.
+    supports of fixed points stand, ``grounds`` the ends of the ground lines of guides by their points.
     """
 
     sketch: Sketch
@@ -38,6 +38,7 @@ class Board:
     clear: dict[str, float] = field(default_factory=dict)
     discs: dict[str, list[float]] = field(default_factory=dict)
     poses: dict[str, float] = field(default_factory=dict)
+    grounds: dict[str, tuple[complex, complex]] = field(default_factory=dict)
 
     @property
     def frame(self) -> Frame:

@@ -17,6 +17,7 @@ from variantgen.figure.axes import draw_axes, has_axes
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import BOLD, MEDIUM, Drawing, Layer
 from variantgen.figure.graph import with_graphs
+from variantgen.figure.guide_angles import draw_guide_angle
 from variantgen.figure.links import draw_links, draw_walls
 from variantgen.figure.marks import draw_angle, draw_disc_name, draw_length, draw_radius, draw_right_angle
 from variantgen.figure.placement.label_requests import around
@@ -28,6 +29,7 @@ from variantgen.mechanism.scene import Scene
 from variantgen.variants.printed_data import given_names, shown_points
 from variantgen.variants.variant import Variant
 from variantgen.wording.language import Language
+from variantgen.wording.scene_data import guide_inclinations
 
 _WIDE, _HIGH, _AREA = 74.0, 66.0, 74.0 * 52.0  # room for the mechanism itself: its sides (u), its area (u^2)
 _WIDEST, _HIGHEST = 94.0, 88.0  # room for everything but labels, u
@@ -152,6 +154,9 @@ class Mechanism:
         _draw_mechanism(board, on_paper, marks)
         if most == math.inf or _excess(sketch) <= most:
             _draw_data(board, on_paper, marks)
+            if marks and self.variant.family.folder is None:
+                for point, angle in guide_inclinations(self.variant, asked, self.language):
+                    draw_guide_angle(board, point, angle)
             seen = [*asked, *map(split_name, form.figure.sketch)]
             if marks and has_axes(seen):
                 draw_axes(board, seen)

@@ -43,6 +43,16 @@ class SceneInTime(Protocol):
         """The end of the interval (s)."""
         ...
 
+    @property
+    def found(self) -> str:
+        """The name of the instant of the problem, if it is found and not given."""
+        ...
+
+    @property
+    def parameters(self) -> Mapping[str, Real]:
+        """What the scenes are made of (SI), the instant by its name among it."""
+        ...
+
     def at(self, variants: NDArray[np.intp], times: NDArray[np.float64]) -> Scene:
         """The scenes of variants at instants (s), shape (M,) each, as one batch."""
         ...

@@ -14,6 +14,7 @@ from variantgen.methods.checks.result_check import by_links
 from variantgen.methods.choice import WHOLE, choose
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.natural_answers import by_choice, found_by, method_names, work_out
+from variantgen.methods.on_demand import on_demand
 from variantgen.methods.solution.book import Book
 from variantgen.methods.solution.position import with_position
 from variantgen.methods.solution.second_reading import read_again
@@ -25,6 +26,7 @@ from variantgen.methods.steps.printed_digits import choose_printed_digits, follo
 from variantgen.methods.steps.step import Item, ProgramListing, Solution, Step
 from variantgen.methods.vectors.point_vectors import point_vectors
 
+_found_instant = on_demand("by_groups.found_instant", "instant_steps")
 _LINK_BY_LINK = "three_rates"  # the method for a whole problem whose steps are those of its links
 
 
@@ -54,7 +56,7 @@ def _by_groups(book: Book, found: dict[str, Value]) -> Solution:
     check = check_of(book, steps, list(found.values()))
     results = [*found.values(), *items_values(check)]
     steps = used_lines(steps, results)
-    steps = with_position(task, book.geometry.items, steps, results)
+    steps = [*_found_instant(book), *with_position(task, book.geometry.items, steps, results)]
     steps = read_again(steps, results)
     choose_printed_digits([*(item for step in steps for item in step.items), *check], list(found.values()))
     centres, vectors = _acceleration_centres(book), _vectors(book, steps)
@@ -91,7 +93,7 @@ def _by_one_method(book: Book, name: str, found: dict[str, Value]) -> Solution:
     ordered = sorted(book.steps, key=lambda step: any(isinstance(item, ProgramListing) for item in step.items))
     if name == _LINK_BY_LINK:
         ordered = used_lines(ordered, found.values())
-    steps = with_position(book.task, book.geometry.items, ordered, found.values())
+    steps = [*_found_instant(book), *with_position(book.task, book.geometry.items, ordered, found.values())]
     if not measured:
         steps = read_again(steps, found.values())
     check = tuple(_checked_by_links(book.task)) if measured else third_axis_of(steps, list(found.values()))

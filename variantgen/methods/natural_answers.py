@@ -25,13 +25,13 @@ def natural_answers(task: Task) -> dict[str, Value]:
     Raises one of NOT_APPLICABLE where no method leads to what is asked, VerificationError where the answers of a scene
     of one's own are not the solver's.
     """
-    return by_choice(task, choose(task), False, _confirmed if _is_own_scene(task) else found_by)
+    return by_choice(task, choose(task), False, _confirmed if task.is_own_scene else found_by)
 
 
 def by_choice(task: Task, choice: Choice, wished: bool, make: Callable[[Book, str], Made]) -> Made:
     """What is made with a book by the methods of a choice, or by the coordinate method where they lead nowhere."""
     failures: tuple[type[Exception], ...] = NOT_APPLICABLE
-    if _is_own_scene(task):
+    if task.is_own_scene:
         failures += (VerificationError,)
     try:
         return make(Book(task, style=choice.style), choice.whole)
@@ -43,11 +43,6 @@ def by_choice(task: Task, choice: Choice, wished: bool, make: Callable[[Book, st
         except failures:
             pass  # what is said is why the natural methods fail
         raise
-
-
-def _is_own_scene(task: Task) -> bool:
-    """Whether the mechanism is that of a file by itself, not of a family that is checked."""
-    return task.variant.family.folder is None
 
 
 def found_by(book: Book, whole: str) -> dict[str, Value]:

@@ -12,6 +12,7 @@ from variantgen.algebra.name import Name
 from variantgen.families.hints import DIRECTIONS
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solved_motion import SolvedMotion
+from variantgen.methods.step_feet import feet
 from variantgen.methods.steps.point_vectors import Arrow, PointVectors
 from variantgen.methods.steps.step import Fact, Segment, Sentence, Step, VectorOf
 from variantgen.methods.steps.step_geometry import Corner
@@ -28,7 +29,9 @@ class StepAngles:
         self._vectors = vectors
         self._segments: dict[Name, tuple[str, str]] = {}
         self._vector_angles: dict[Name, tuple[str, complex, complex]] = {}
+        self._feet: dict[str, complex] = {}
         for step in steps:
+            self._feet |= {foot.letter: foot.place / task.length_unit for foot in feet(task, step)}
             for item in step.items:
                 if isinstance(item, Sentence):
                     self._read(item.key, item.facts)
@@ -72,13 +75,20 @@ class StepAngles:
         elif name in self._vector_angles:
             found = self._with_vector(value, name, number)
         else:
-            sides = SolvedMotion(self._task).arms(name)
-            if name.kind != "angle" or len(sides) != 2:
+            if name.kind != "angle":
                 return None
-            found = Corner(
-                value, name.of, (sides[0], sides[1]), tuple(name.about.split()), name.body, name.part == "vertex"
-            )
+            sides = SolvedMotion(self._task).arms(name) or self._to_foot(name)
+            if len(sides) != 2:
+                return None
+            ends = tuple(end for end in name.about.split() if end not in self._feet)
+            found = Corner(value, name.of, (sides[0], sides[1]), ends, name.body, name.part == "vertex")
         return found if found is not None and _is_true(found) else None
+
+    def _to_foot(self, name: Name) -> tuple[complex, ...]:
+        """The sides of a corner one of which leads to the foot of a perpendicular; nothing for another one."""
+        z = {**self._feet, **self._task.now.z}
+        ends = name.about.split()
+        return tuple(z[end] - z[name.of] for end in ends) if {name.of, *ends} <= z.keys() else ()
 
     def _with_vector(self, value: Value, name: Name, number: int) -> Corner | None:
         """The acute angle of a vector with a line: at the point of the step's equation, where its vectors stand."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from variantgen.algebra.expression import Value
@@ -10,9 +10,10 @@ from variantgen.algebra.name import Name
 from variantgen.algebra.values import made_of
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.step_angles import StepAngles
+from variantgen.methods.step_feet import feet
 from variantgen.methods.steps.point_vectors import PointEquation, PointVectors
 from variantgen.methods.steps.printed_digits import items_values
-from variantgen.methods.steps.step import Body, Derived, Fact, Point, Segment, Sentence, Step
+from variantgen.methods.steps.step import Body, Derived, Point, Step
 from variantgen.methods.steps.step_geometry import NOTHING_MARKED, ChainGraph, MarkedFoot, StepGeometry
 
 _OF_EQUATIONS = {
@@ -179,34 +180,7 @@ def _geometry(task: Task, step: Step, number: int, angles: StepAngles) -> StepGe
     names = [value.name for value in values if value.name is not None and value.name.kind == "length"]
     segments = [(name.of, name.about) for name in names if not name.part]
     chain = next((item for item in step.items if isinstance(item, ChainGraph)), None)
-    return StepGeometry(tuple(corners), tuple(dict.fromkeys(segments)), chain, tuple(_feet(task, step)))
-
-
-def _feet(task: Task, step: Step) -> Iterator[MarkedFoot]:
-    """The feet of perpendiculars that the sentences of a step name."""
-    z = task.now.z
-    for item in step.items:
-        facts: Mapping[str, Fact] = item.facts if isinstance(item, Sentence) else {}
-        if isinstance(item, Sentence) and item.key == "position.perpendicular":
-            down, to = facts["line"], facts["to"]
-            assert isinstance(down, Segment)
-            assert isinstance(to, Segment)
-            start, way = z[to.start], z[to.end] - z[to.start]
-            yield _foot(task, down.end, down.start, start, way, (to.start, to.end))
-        elif isinstance(item, Sentence) and item.key == "position.projections":
-            leg, along, corners = facts["leg"], facts["line"], facts["triangle"]
-            assert isinstance(leg, Segment)
-            assert isinstance(along, Segment)
-            assert isinstance(corners, Segment)
-            apex = corners.start.removeprefix(leg.start)
-            yield _foot(task, leg.end, apex, z[leg.start], z[along.end] - z[along.start], (leg.start,))
-
-
-def _foot(task: Task, letter: str, apex: str, start: complex, way: complex, line: tuple[str, ...]) -> MarkedFoot:
-    """The foot of the perpendicular from a point to the line through a place."""
-    way /= abs(way)
-    place = start + ((task.now.z[apex] - start) * way.conjugate()).real * way
-    return MarkedFoot(letter, place * task.length_unit, apex, line)
+    return StepGeometry(tuple(corners), tuple(dict.fromkeys(segments)), chain, tuple(feet(task, step)))
 
 
 def _named(step: Step) -> Iterator[Value]:

@@ -108,7 +108,7 @@ def _shown(form: Form, asked: tuple[str, ...]) -> tuple[str, ...]:
         for p in (members if body in plates else members[:2])
     }
     named = {p for c in scene.constraints for shape in c.shapes() for p in shape.points}
-    named |= {p for joint in scene.joints for p in joint.landmarks()}
+    named |= {*form.figure.named, *(p for joint in scene.joints for p in joint.landmarks())}
     return tuple(
         p
         for p in form.points

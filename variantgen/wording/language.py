@@ -185,6 +185,8 @@ class Language:
     def _of_interval(self, quantity: Quantity, bodies: Mapping[str, str]) -> Symbol | SymbolProperty:
         """``v_B max``, ``t_v_B max``, ``t_v_B 0``, ``v_B mean``, ``s_B``, ``d_B x``, ``θ_AB``, ``v_B av``, ``t_B``."""
         of, words = quantity.of_instant, self.tables["index"]
+        if quantity.kind == "instant":
+            return self.symbol(quantity.target, bodies)
         if of is None:
             letter = _OF_INTERVAL[quantity.kind]
             index = [Index(bodies.get(quantity.target, quantity.target)), *self._average(quantity)]

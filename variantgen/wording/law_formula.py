@@ -20,6 +20,7 @@ from variantgen.algebra.expression import (
 )
 from variantgen.algebra.normal_form import signed
 from variantgen.families.family import Form
+from variantgen.families.found_instant import watched
 from variantgen.families.parameters.expressions import FamilyExpression, parse
 from variantgen.families.parameters.units import UNITS, unit
 from variantgen.mechanism.constructions.coordinates import Coordinates
@@ -63,6 +64,15 @@ def interval_of(variant: Variant, language: Language) -> Relation:
     time = language.symbol(form.interval.time, form.symbols)
     last = Measured(_number(end, language), language.unit(unit("s")))
     return Relation((_number(start, language), time, last), ("≤", "≤"))
+
+
+def event_of(variant: Variant, language: Language) -> Equation:
+    """What happens at the instant that is found, ``v_B = 2 m/s``."""
+    form, event = variant.form, variant.form.found_instant
+    assert event is not None, "the instant is found"
+    quantity = watched(form)
+    left = language.symbol(event.name, form.symbols) if quantity is None else language.quantity(quantity, form.symbols)
+    return Equation(left, Measured(language.decimal(event.value), language.unit(unit(event.unit))))
 
 
 def _left(form: Form, law: str, language: Language) -> Formula:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import math
+import re
+from collections.abc import Iterator, Mapping, Sequence
 from decimal import Decimal
 
 import numpy as np
@@ -12,9 +14,10 @@ from variantgen.families.parameters.units import Unit, short_unit, unit
 from variantgen.families.quantities import Quantity, motion_order
 from variantgen.variants.printed_data import shown_points
 from variantgen.variants.variant import Variant, solve_variants
-from variantgen.wording.formula import Equation, Index, Measured, Symbol, SymbolProperty
+from variantgen.wording.formula import Equation, Formula, Index, Measured, Symbol, SymbolProperty
 from variantgen.wording.formula.tree import ANGLE
 from variantgen.wording.language import Language
+from variantgen.wording.text import Text
 
 _DIGITS = 6  # of a number of the file, which may stand there in another unit
 _NOTHING = 1e-12  # of a coordinate: rounding
@@ -30,13 +33,37 @@ def scene_data(
     that only accelerations depend on where none is asked.
     """
     case = _SceneData(variant, asked, language)
-    found = list({(datum.kind, datum.name, datum.si): datum for datum in literal_data(variant.form)}.values())
+    found = list({(datum.kind, datum.name, datum.si): datum for datum in literal_data(variant.form, case.at)}.values())
     seen = [datum for datum in found if set(datum.points) <= case.shown and datum.unless not in case.shown]
     kinds = ("length", "radius", "angle", "corner", "place", "x", "y")
     position = [e for kind in kinds for datum in seen if datum.kind == kind for e in case.equations(datum)]
     slow = motion_order(asked) == 1
-    rates = [datum for datum in found if datum.kind == "rate" and not (datum.second and slow)]
+    rates = [datum for datum in found if datum.kind in ("rate", "direction") and not (datum.second and slow)]
     return position, [e for datum in rates for e in case.equations(datum)]
+
+
+def guide_inclinations(variant: Variant, asked: Sequence[Quantity], language: Language) -> list[tuple[str, Formula]]:
+    """The points of inclined guides of a scene, each with the acute angle of the guide with the horizontal."""
+    guides = [datum for datum in literal_data(variant.form) if datum.kind == "guide"]
+    if not guides:
+        return []
+    case = _SceneData(variant, asked, language)
+    return [(datum.name, case.inclination(datum)) for datum in guides]
+
+
+def guide_sentences(variant: Variant, asked: Sequence[Quantity], language: Language) -> Text:
+    """A sentence for each inclined guide, with a space before it."""
+    found: list[Formula | str] = []
+    for point, angle in guide_inclinations(variant, asked, language):
+        formulas = {"point": language.symbol(point, variant.form.symbols), "angle": angle}
+        found += [" ", *with_formulas(language.words("sheet")["guide"], formulas)]
+    return tuple(found)
+
+
+def with_formulas(sentence: str, formulas: Mapping[str, Formula]) -> Text:
+    """A sentence with formulas in the place of their names in braces."""
+    parts = re.split(r"\{(\w+)\}", sentence)
+    return tuple(formulas[part] if i % 2 else part for i, part in enumerate(parts) if part)
 
 
 class _SceneData:
@@ -49,11 +76,36 @@ class _SceneData:
         self.at = {name: complex(z[0]) for name, z in motion.z.items()}
         form = variant.form
         self._values = form.values({name: variant.si(name) for name in form.parameters})
+        self._frame = motion.scene.frame
+
+    @property
+    def _lies_as_written(self) -> bool:
+        """Whether the scene lies on paper as its file has it: an angle with the x axis is that of the file."""
+        return self.variant.sense > 0 and self.variant.turns == 0
+
+    def _way(self, angle: float) -> complex:
+        """A direction of the scene on paper, a unit vector."""
+        return complex(np.ravel(self._frame.direction(angle))[0])
+
+    def inclination(self, datum: LiteralDatum) -> Formula:
+        """The acute angle of a guide with the horizontal: a number, or the letter of a parameter that is one."""
+        angle = datum.si if datum.source is None else float(datum.source.value(self._values))
+        is_letter = datum.source is not None and datum.source.text in self.variant.form.parameters
+        if datum.source is not None and is_letter and self._lies_as_written and 0 < angle < math.pi / 2:
+            name = self.variant.form.parameters[datum.source.text].symbol
+            return self.language.symbol(name, self.variant.form.symbols)
+        way = self._way(angle)
+        return self._measured(math.atan2(abs(way.imag), abs(way.real)), self._unit("angle"))
 
     def equations(self, datum: LiteralDatum) -> Iterator[Equation]:
         """One equation, of a place two."""
         own = self._unit(datum.measures)
         match datum.kind:
+            case "length" | "angle" if datum.source is not None and self._lies_as_written:
+                name = self.variant.form.parameters[datum.source.text].symbol
+                symbol = self.language.symbol(datum.name, self.variant.form.symbols)
+                left = symbol if datum.kind == "length" else SymbolProperty("angle", symbol)
+                yield Equation(left, self.language.symbol(name, self.variant.form.symbols))
             case "place":
                 z = self.at[datum.name]
                 for axis, place in (("x", z.real), ("y", z.imag)):
@@ -76,6 +128,9 @@ class _SceneData:
             case "length":
                 start, end = (self.at[point] for point in datum.points)
                 yield self._equation(datum.name, abs(end - start), own)
+            case "direction":
+                left = SymbolProperty("angle", self.language.symbol(datum.name, self.variant.form.symbols))
+                yield Equation(left, self._measured(float(np.angle(self._way(datum.si))), own))
             case "rate":
                 si = datum.si if datum.source is None else float(datum.source.value(self._values))
                 yield self._equation(datum.name, abs(si), short_unit(si, own))
@@ -83,7 +138,7 @@ class _SceneData:
     def _radius(self, datum: LiteralDatum) -> Symbol:
         """``r_B``, of a second one of the same body ``r_2B``: as in :mod:`variantgen.methods.geometry.radii`."""
         symbol = self.language.symbol(f"r_{datum.name}", self.variant.form.symbols)
-        place = literal_radii(self.variant.form)[datum.name].index(datum.si)
+        place = literal_radii(self.variant.form, self.at).get(datum.name, [datum.si]).index(datum.si)
         return symbol._replace(index=(Index(str(place + 1)), *symbol.index)) if place else symbol
 
     def _equation(self, name: str, si: float, own: Unit) -> Equation:

@@ -25,8 +25,8 @@ from variantgen.wording.formula import Equation, Formula, Measured, Symbol, Unit
 from variantgen.wording.formula.tree import ANGLE
 from variantgen.wording.graph_words import graph_instant, graph_sentences
 from variantgen.wording.language import Language
-from variantgen.wording.law_formula import interval_of, law_equations
-from variantgen.wording.scene_data import scene_data
+from variantgen.wording.law_formula import event_of, interval_of, law_equations
+from variantgen.wording.scene_data import guide_sentences, scene_data, with_formulas
 from variantgen.wording.template import StatementTemplate, load_template
 from variantgen.wording.text import Text
 
@@ -140,10 +140,15 @@ def _text(case: _Case) -> Text:
     if variant.family.folder is None:
         words = language.words("sheet")
         begun = words["law_scene" if case.form.laws else "scene"]
+        guides = guide_sentences(variant, case.asked, language)
+        if case.form.found_instant is not None:
+            parts: dict[str, Formula] = {"event": event_of(variant, language)}
+            parts["interval"] = interval_of(variant, language)
+            return (*with_formulas(words["found_scene"], parts), *guides)
         if not any(quantity.is_of_interval for quantity in case.asked):
-            return (begun,)
+            return (begun, *guides)
         before, _, after = words["interval"].partition("{interval}")
-        return (f"{begun} {before}", interval_of(variant, language), after)
+        return (begun, *guides, f" {before}", interval_of(variant, language), after)
     return _filled(case, load_template(template_path(variant, language)))
 
 

@@ -19,7 +19,8 @@ class Parameter:
 
     A choice parameter has ``words`` and no unit. ``symbol`` is how it is written (``omega_OA``, ``phi``). A
     ``constant`` has the dimension of a rate but is none that the figure shows (g, the acceleration of free fall).
-    A ``silent`` parameter only gives the figure variety: it is not printed and no answer may depend on it.
+    A ``silent`` parameter only gives the figure variety: it is not printed and no answer may depend on it. One that is
+    ``found`` is the instant at which something happens: it is not printed, and can be asked.
     """
 
     name: str
@@ -29,6 +30,7 @@ class Parameter:
     symbol: str = ""
     constant: bool = False
     silent: bool = False
+    found: bool = False
 
     @cached_property
     def si(self) -> NDArray[np.float64]:
@@ -50,7 +52,7 @@ class Parameter:
     @property
     def given(self) -> bool:
         """Whether its value is printed (a choice is seen in the figure)."""
-        return self.unit is not None and not self.silent
+        return self.unit is not None and not self.silent and not self.found
 
     @property
     def is_rate(self) -> bool:

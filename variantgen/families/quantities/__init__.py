@@ -37,6 +37,7 @@ name                      meaning
 ``mean_t_v_B``            mean in the interval of ``v_B`` or of the magnitude of ``omega_AB``
 ``way_B  shift_B``        length of the way of a point in the interval, its displacement (components and angle as above)
 ``average_v_B``           displacement through the time, ``average_a_B`` change of the velocity through the time
+``instant_t``             instant of the problem, also written ``t``, where it is found by what happens at it
 ``turned_AB``             angle by which a body turns in the interval, positive counter-clockwise
 ``t_back_B``              instant at which a point is first again where it was at the beginning
 ========================  ======================================================================================

@@ -21,6 +21,7 @@ def of_interval(of_instant: Mapping[str, Kind], of_vector: Callable[[Vectors], C
     """The kinds by name, made of those of an instant and of what can be asked of a vector."""
     found = {
         "way": Kind("course", 1, "length", _of_one("way_of")),
+        "instant": Kind("course", 1, "time", _instant),
         "turned": Kind("course", 1, "angle", _of_one("turned")),
         INSTANT_OF + "back": Kind("course", 1, "time", _of_one("first_return")),
         "shift": Kind("course", 1, "length", of_vector(_change("change", 1, "z"))),
@@ -71,6 +72,14 @@ def _of_one(find: str) -> Computed:
         return numbers
 
     return value
+
+
+def _instant(motion: Motion, target: str, _: str) -> Field:
+    """The instant of the problem, which is found (s), shape (N,)."""
+    course = motion.scene.course
+    assert course is not None, "the scene states an interval of time"
+    found: Field = np.array(np.broadcast_to(np.asarray(course.parameters[target], dtype=float), (motion.size,)))
+    return found
 
 
 def _change(find: str, order: int, name: str) -> Vectors:

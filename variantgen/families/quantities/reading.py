@@ -31,6 +31,8 @@ def parse_quantity(text: str, scene: Scene, key: str = "ask", offered: Sequence[
     known = quantity_names(scene)
     if text in known:
         return split_name(text)
+    if scene.course is not None and text == scene.course.found:
+        return Quantity("instant", text)
     quantity = split_name(text) if _match(text) else None
     if quantity is None or not _is_further(quantity, scene):
         if quantity is not None and (reason := _of_crank(quantity, scene)):
@@ -172,6 +174,8 @@ def _has_turn(quantity: Quantity, scene: Scene) -> bool:
 def _has_course(quantity: Quantity, scene: Scene) -> bool:
     """Whether a scene that moves for an interval of time has what is asked of it."""
     of, component = quantity.of_instant, quantity.component
+    if quantity.kind == "instant":
+        return scene.course is not None and quantity.target == scene.course.found and not component
     if of is not None:
         known = of.name in quantity_names(scene) or _is_further(of, scene)
         moves = of.group != "position" or bool({*of.points(scene.points)} & {*_moving_points(scene)})
@@ -246,7 +250,8 @@ def _proposed(text: str, quantity: Quantity | None, scene: Scene, known: Sequenc
     if letter in _OTHERWISE and own in known:
         return f"write {own}: angular velocities are omega, angular accelerations epsilon"
     if _INSTANT.search(text):
-        return "an instant is told by the data: state a law of time in [laws], and the time as a parameter"
+        given = "an instant is told by the data: state a law of time in [laws], and the time as a parameter"
+        return f'{given}, or in [laws] when it is:  instant = "v_B = 2 m/s"'
     if letter in ("omega", "epsilon") and (turning := _bodies_with(target, scene)):
         return f"{target} is no body; its rotation is that of {' or '.join(f'{letter}_{body}' for body in turning)}"
     if quantity is not None and quantity.line and line_ends(quantity.line, scene.points) is None:

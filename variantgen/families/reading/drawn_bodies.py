@@ -6,14 +6,18 @@ meshes or winds up a rope is a circle. A slot in a plate or in a disc is a groov
 
 from __future__ import annotations
 
+import cmath
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import pairwise
 from typing import NamedTuple
 
 from variantgen.families.family import Form
 from variantgen.families.figure_hints import DiscMark, FigureHints
 from variantgen.families.parameters.expressions import FamilyExpression, parse
+from variantgen.mechanism.constructions.tangent import Tangent
 from variantgen.mechanism.joints.gears import Gears
+from variantgen.mechanism.joints.guide import Guide
 from variantgen.mechanism.joints.rolling import Rolling
 from variantgen.mechanism.joints.rolling_on_circle import RollingOnCircle
 from variantgen.mechanism.joints.rope import Rope
@@ -44,7 +48,7 @@ def with_drawn_bodies(form: Form) -> Form:
             hints = _wheel(hints, body, own, _pins(form, body), at, form.parameters)
         elif len(members) > 2:
             hints = _link(hints, body, members, at)
-    return replace(form, figure=_with_grooves(form, hints))
+    return replace(form, figure=replace(_with_grooves(form, hints), named=_stations(form, at)))
 
 
 class _Circle(NamedTuple):
@@ -151,6 +155,31 @@ def _link(hints: FigureHints, body: str, members: Sequence[str], at: Places) -> 
     if set(ends) == set(members[:2]):
         return hints
     return replace(hints, lines=(*hints.lines, ends))
+
+
+def _stations(form: Form, at: Places) -> tuple[str, ...]:
+    """Points that data speak of, though they are no part of the mechanism.
+
+    The stations at rest of ropes from which a piece leads obliquely, whose direction follows from where they are; the
+    points at which a line touches a circle that no joint has.
+    """
+    scene = form.sample
+    ways = {joint.point: cmath.rect(1.0, float(joint.angle)) for joint in scene.joints if isinstance(joint, Guide)}
+    moving = {point for joint in scene.joints for shape in joint.shapes() for point in shape.points}
+    moving |= {point for members in form.bodies.values() for point in members}
+    used = {name for t in form.joints for name in t.fields.values() if isinstance(name, str)}
+    found = [
+        name for name, place in scene.points.items() if isinstance(place, Tangent) and place.radius and name not in used
+    ]
+    for joint in scene.joints:
+        if isinstance(joint, Rope) and not joint.parallel:
+            for first, second in pairwise(joint.path):
+                for station, other in ((first, second), (second, first)):
+                    way, step = ways.get(other.point), at[other.point] - at[station.point]
+                    aside = abs(abs((step * way.conjugate()).imag) - float(station.radius)) if way else abs(step)
+                    if station.point not in moving and aside > _SAME * abs(step):
+                        found.append(station.point)
+    return tuple(dict.fromkeys(found))
 
 
 def _with_grooves(form: Form, hints: FigureHints) -> FigureHints:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection
+from dataclasses import replace
+from decimal import Decimal
 from fnmatch import fnmatchcase
 from heapq import heappop, heappush
 from typing import Any
@@ -11,6 +13,7 @@ from typing import Any
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.asking import read_ask
 from variantgen.families.family import ComponentTemplate, Form
+from variantgen.families.found_instant import read_found_instant, with_found_instant
 from variantgen.families.hints import check_marks, read_figure, read_pose, read_screens
 from variantgen.families.machine import read_machine
 from variantgen.families.nice import read_nice
@@ -38,6 +41,7 @@ SECTIONS = (
 _OF_NAMES = ("parameters", "derived", "laws", "points", "bodies", "symbols", "nouns")  # tables with names as keys
 _LISTED = ("joints", "drivers", "conditions")
 _OF_FORM = (*_LISTED, "ask", "may_ask", "length_unit")
+_WITHIN = Decimal("0.43")  # of an interval of time: no instant at which something happens by accident
 _PLAIN = re.compile(r"[A-Za-z][A-Za-z0-9]{0,20}")
 _MOST = {"parameters": PARAMETERS, "derived": DERIVED, "laws": DERIVED} | dict.fromkeys(
     ("points", "conditions", "bodies", "joints", "drivers"), PARTS
@@ -75,6 +79,7 @@ class FormReader:
         self.parameters = parameters.each(lambda key, value: self._read_parameter(parameters, key, value))
         if len(self.problems) > before:  # what uses a wrong parameter would only repeat that it is unknown
             return None
+        self._add_found_time(self.top.data.get("laws"))
         self.dimensions = {n: p.unit.dimension if p.unit else (0, 0) for n, p in self.parameters.items()}
         self.kinds = {name: kind_of_parameter(parameter) for name, parameter in self.parameters.items()}
         self._read_derived(self.top.table("derived"))
@@ -139,8 +144,30 @@ class FormReader:
                 check_driven(form, self.top.data["laws"]["time"])
             if interval:
                 check_interval(form)
+            form = self._with_instant(form)
             self._check_ask(form)
         return form if len(self.problems) == before else None
+
+    def _with_instant(self, form: Form) -> Form:
+        """The form with the instant that its laws say how to find. Raises InputError."""
+        laws = self.top.data.get("laws") or {}
+        if "instant" not in laws:
+            return form
+        return with_found_instant(replace(form, found_instant=read_found_instant(form, laws["instant"], self._length)))
+
+    def _add_found_time(self, laws: Any) -> None:
+        """The parameter of an instant that is found: until then somewhere in the interval."""
+        if not isinstance(laws, dict) or "instant" not in laws:
+            return
+        name, ends = laws.get("time", "t"), laws.get("interval")
+        if not isinstance(name, str) or name in self.parameters:
+            remedy = f"leave the parameter {name} out, or instant in [laws]"
+            self.top.problem("is found and cannot be given", f"parameters.{name}", name, remedy)
+            return
+        within = Decimal(1)
+        if isinstance(ends, list) and len(ends) == 2 and all(isinstance(end, int | Decimal) for end in ends):
+            within = ends[0] + _WITHIN * (ends[1] - ends[0])
+        self.parameters[name] = Parameter(name, unit("s"), (within,), symbol=name, found=True)
 
     def _check_headings(self) -> None:
         """What is meant for the whole form does not stand below the heading of a table of names."""

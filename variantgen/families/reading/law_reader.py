@@ -20,7 +20,7 @@ from variantgen.families.parameters.laws import Law, PlainLaws, fed_measures, sp
 from variantgen.families.parameters.units import Unit
 from variantgen.tables import Table
 
-_OWN = ("time", "interval")  # keys of the table that are no laws
+_OWN = ("time", "interval", "instant")  # keys of the table that are no laws
 _Stated = tuple[FamilyExpression, Unit | None]  # a law as it is written, and the unit beside it
 
 

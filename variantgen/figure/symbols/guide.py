@@ -1,4 +1,4 @@
-"""Slider in a fixed guide: a block on a hatched line."""
+"""Slider in a fixed guide: a block on a hatched line; under a load on a rope only where it does not hang."""
 
 from __future__ import annotations
 
@@ -8,21 +8,25 @@ from itertools import pairwise
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import Layer
 from variantgen.figure.sketch import HINGE
+from variantgen.figure.symbols._hoist import HALF_LOAD
 from variantgen.mechanism.joints.guide import Guide
 
 _HALF_LENGTH, _HALF_HEIGHT, _OVERHANG = 2.9, 1.7, 5.5
 _HALF_BEARING = 1.1
 _BESIDE = 6.4  # from the middle of a bearing to a point with a name, u
 _ON_ROD = 0.1  # distance from the line of a rod, u
+_UPRIGHT = 1e-6  # cosine of the angle of a vertical line
 
 
 def draw(board: Board, joint: Guide) -> None:
     """Add the symbol; a load on a rope has a symbol of its own, the end of a ladder needs no block."""
+    way = complex(board.frame.direction(joint.angle))
+    if joint.point in board.loads and abs(way.real) > _UPRIGHT:
+        _draw_ground(board, joint.point, way, -1j * way * math.copysign(1.0, way.real), HALF_LOAD)
     if joint.point in board.loads or joint.point in board.form.figure.bare:
         return
     sketch = board.sketch
     centre = sketch.at[joint.point]
-    way = complex(board.frame.direction(joint.angle))
     if joint.point in board.form.figure.stems:
         _draw_bearing(board, joint.point, way)
         return
@@ -30,10 +34,7 @@ def draw(board: Board, joint: Guide) -> None:
     corners = [
         centre + x * _HALF_LENGTH * way + y * _HALF_HEIGHT * side for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))
     ]
-    line = centre + _HALF_HEIGHT * side
-    start, end = line - (_HALF_LENGTH + _OVERHANG) * way, line + (_HALF_LENGTH + _OVERHANG) * way
-    sketch.path((start, end), Layer.GROUND)
-    sketch.hatch(start, end, side)
+    _draw_ground(board, joint.point, way, side, _HALF_HEIGHT)
     if board.is_translated(joint.point):
         # Fixed to its rod: the rod is seen to run through the block, and nothing can turn.
         sketch.path(corners, Layer.DISC, closed=True, fill="paper")
@@ -43,6 +44,15 @@ def draw(board: Board, joint: Guide) -> None:
     for taken in (way, -way, side):
         sketch.occupy(joint.point, taken)
     board.sized(joint.point, _HALF_LENGTH, box=corners)
+
+
+def _draw_ground(board: Board, point: str, way: complex, side: complex, off: float) -> None:
+    """The hatched line on which a block slides, on a side of the point."""
+    line = board.sketch.at[point] + off * side
+    start, end = line - (_HALF_LENGTH + _OVERHANG) * way, line + (_HALF_LENGTH + _OVERHANG) * way
+    board.sketch.path((start, end), Layer.GROUND)
+    board.sketch.hatch(start, end, side)
+    board.grounds[point] = (start, end)
 
 
 def _draw_bearing(board: Board, point: str, way: complex) -> None:

@@ -91,7 +91,10 @@ def _end(board: Board, joint: Rope, bend: Bend, along: complex) -> None:
     if bend.fixed:
         _hoist.base(board, place, -along)
     elif bend.point in joint.hanging() and not board.owners(bend.point):
-        # A load hangs straight down or is pulled along its guide: its block stands square to the rope.
+        # A load hangs straight down or is pulled along its guide: its block stands square to the rope, or on its plane.
+        if bend.point in board.grounds:
+            start, end = board.grounds[bend.point]
+            along = (end - start) / abs(end - start)
         corners = [place + _hoist.HALF_LOAD * complex(x, y) * along for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
         sketch.path(corners, Layer.SLIDER, closed=True, fill="paper")
         board.sized(bend.point, _hoist.HALF_LOAD, box=corners)

@@ -26,6 +26,8 @@ def passage_answer(book: Book, quantity: Quantity) -> Value:
     Raises LookupError where it has none.
     """
     name = turn_name(quantity)
+    if quantity.kind == "instant":  # the first step of the solution has found it
+        return Value(name, "time", float(quantity.value(book.task.motion)[0]))
     if name in book.values:
         return book.values[name]
     task = book.task
@@ -43,7 +45,7 @@ def passage_answer(book: Book, quantity: Quantity) -> Value:
             place = Point(quantity.target)
             book.say(f"passage.{key}", False, value=answer, number=number, duration=duration, point=place)
         elif (of := _followed(quantity)) is not None:
-            _say_rows(book, passage, of, is_signed=quantity.kind.startswith(ZERO) or quantity.is_turning)
+            say_rows(book, passage, of, is_signed=quantity.kind.startswith(ZERO) or quantity.is_turning)
             book.say(f"passage.{_way_to(quantity)}", False, value=answer, number=number, of=turn_name(of))
         else:
             book.say("passage.return", False, value=answer, number=number)
@@ -67,7 +69,7 @@ def _way_to(quantity: Quantity) -> str:
     return "instant" if kind.startswith(INSTANT_OF) else kind if quantity.of_instant is None else "extreme"
 
 
-def _say_rows(book: Book, passage: TimedMotion, of: Quantity, is_signed: bool) -> None:
+def say_rows(book: Book, passage: TimedMotion, of: Quantity, is_signed: bool) -> None:
     """The quantity (of a rate the magnitude, unless it has a sign) at regular instants, once."""
     by_size = of.is_rotation and not is_signed
     sentence = "passage.magnitudes" if by_size else "passage.rows"

@@ -133,5 +133,7 @@ def _solve_triangle(
     say_shape(book, centre, shape, ends)
     for angle in needed:
         note_angle(book, angle)
-    for point, arm, ray in zip(ends, arms, rays, strict=True):
-        centre.rays[point] = CentreRay(book.derive(centre.length(point), "length", arm), ray)
+    first = book.derive(centre.length(a), "length", arms[0])
+    equal = shape == "isosceles"
+    second = book.derive(centre.length(b), "length", first if equal else arms[1])
+    centre.rays |= {a: CentreRay(first, rays[0]), b: CentreRay(second, rays[1])}

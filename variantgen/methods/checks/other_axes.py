@@ -19,6 +19,7 @@ from variantgen.methods.solution.book import Book
 from variantgen.methods.solution.named_angles import renamed
 from variantgen.methods.steps.step import Balance, Derived, Fact, Item, Sentence, Step, Term, VectorLine, VectorOf
 from variantgen.methods.vectors.natural_sum import first_along, ordered_sum, signed
+from variantgen.methods.vectors.points import positive
 from variantgen.methods.vectors.vector_equation import shares
 
 
@@ -55,9 +56,13 @@ def _components(whole: Term, terms: Sequence[Term], used: Term, found: Mapping[N
         turned = sum(sign * part.number(True) for sign, part in signed(shares(terms, across)))
         if turned * sizes[1].exact < 0:
             across = Geometry.turned(used.angle, -90.0)
-        ways = (used.angle, across)
-        return [Term(whole.name, size, way, whole.way) for size, way in zip(sizes, ways, strict=True) if size]
+        return [_turned(whole, size, way) for size, way in zip(sizes, (used.angle, across), strict=True) if size]
     return []
+
+
+def _turned(whole: Term, size: Value, way: Value) -> Term:
+    """A component along an axis, with its magnitude to the side to which it points."""
+    return Term(whole.name, positive(size), way if size.exact >= 0 else Geometry.turned(way, 180.0), whole.way)
 
 
 def _on_axis(book: Book, terms: Sequence[Term], axis: Value) -> Expression:

@@ -19,6 +19,7 @@ from variantgen.mechanism.rows import Constraint
 from variantgen.methods.coordinates.coordinate import Coordinate, PositionEquation
 from variantgen.methods.coordinates.heading import Heading, fixed_number
 from variantgen.methods.geometry.geometry import degrees
+from variantgen.methods.linkage.problem import CLOSE
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Fact
 
@@ -261,8 +262,15 @@ class Model:
         self.add(key, added(*((1, square) for square in squares)), distance**2, **facts)
 
     def radius(self, body: str | None, centre: str, exact: float) -> Expression:
-        """A radius of that length of a body (None: the ground): of its disc in the drawing, or a number."""
-        return self.task.drawn_radius(body, centre, exact) or fixed_number("length", exact)
+        """A radius of that length of a body (None: the ground): of its disc in the drawing, by its letter, or a number.
+
+        The sheet of a scene gives letters to radii that its file states as numbers.
+        """
+        drawn = self.task.drawn_radius(body, centre, exact)
+        stated = self.task.stated_radii.get(body or "", ()) if self.task.is_own_scene else ()
+        if not isinstance(drawn, Value) and any(abs(radius - exact) <= CLOSE * exact for radius in stated):
+            return self.book.geometry.unnamed_radii.of(body or "", exact)
+        return drawn or fixed_number("length", exact)
 
     # Numbers.
 

@@ -15,7 +15,6 @@ from functools import cache
 from variantgen.algebra.expression import Constant, Expression, Total, Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import Signed, summed
-from variantgen.families.literal_data import literal_radii
 from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.methods.geometry import trigonometry
 from variantgen.methods.geometry.angle_sums import angle_sum
@@ -51,8 +50,7 @@ class Geometry(PositionLines):
         super().__init__(task)
         self._lengths: dict[frozenset[str], Value] = {}
         self._directions: dict[tuple[str, str], Value] = {}
-        stated = literal_radii(task.form).items()
-        self.unnamed_radii = UnnamedRadii({body: [r / task.length_unit for r in radii] for body, radii in stated})
+        self.unnamed_radii = UnnamedRadii(task.stated_radii)
         self._shown: dict[AngleForm, Value] = {}  # directions by given angles that have a line
         self._coordinates: dict[str, Pair] = {}
         plan, ways = task.form.plan, placed_by_angles(task.form)

@@ -87,14 +87,16 @@ class PositionLines(Layout):
         return self._corners.get((vertex, frozenset(map(self._named_place, (first, second)))))
 
     def _named_place(self, point: str) -> str:
-        """The first of the points in one place: under a pin lies a point of the slotted link."""
+        """The first of the points in one place: under a pin lies a point of the slotted link. A foot has its letter."""
         z = self.task.now.z
-        return next(name for name in z if z[name] == z[point])
+        return next(name for name in z if z[name] == z[point]) if point in z else point
 
-    def foot(self, start: str, on_line: str, end: str, along: Expression, across: Expression) -> Pair | None:
+    def foot(
+        self, start: str, on_line: str, end: str, along: Expression, across: Expression, beyond: bool
+    ) -> Pair | None:
         """The legs SH along a line and EH of the right triangle that a perpendicular from the end E makes, with lines.
 
-        None where a point has no letter in the figure, or no letter is left.
+        Its foot may lie ``beyond`` the start S. None where a point has no letter in the figure, or no letter is left.
         """
         if {start, on_line, end} & set(self.task.form.figure.hidden):
             return None
@@ -103,7 +105,9 @@ class PositionLines(Layout):
             letter = next((letter for letter in _FEET if letter not in self._taken_letters()), "")
             if not letter:
                 return None
-            self.say("perpendicular", False, line=Segment(end, letter), to=Segment(*self.ordered(start, on_line)))
+            to = Segment(*self.ordered(start, on_line))
+            key_of = "perpendicular_beyond" if beyond else "perpendicular"
+            self.say(key_of, False, line=Segment(end, letter), to=to, start=Point(start))
             down = self._entered(Name("length", end, letter), "length", across)
             self._feet[key] = self._entered(Name("length", start, letter), "length", along), down
         return self._feet[key]

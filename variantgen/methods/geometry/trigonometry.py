@@ -12,18 +12,18 @@ from variantgen.algebra.expression import (
     Expression,
     Ratio,
     SquareRoot,
-    Times,
     Total,
     Value,
     cos,
     sin,
 )
-from variantgen.algebra.normal_form import Signed, positive, squared, summed
+from variantgen.algebra.normal_form import Signed, positive, squared, summed, terms_of
 from variantgen.methods.geometry.angles import AngleForm, Atom, normal_angle, tidy
 from variantgen.methods.geometry.legs import Leg
 
 _NOTHING = 1e-11  # a cosine or sine below it is zero but for rounding
 _EQUAL = 1e-9  # relative difference of two lengths that are one
+_HALF_TURN = 180.0  # degrees
 _SHARP = 0.5  # cosine of an angle that its sine still gives sharply
 _QUARTERS = {
     "cos": (("cos", 1), ("sin", -1), ("cos", -1), ("sin", 1)),
@@ -55,9 +55,12 @@ class Angular(Protocol):
         """The acute angle between a segment and a line."""
 
     def foot(
-        self, start: str, on_line: str, end: str, along: Expression, across: Expression
+        self, start: str, on_line: str, end: str, along: Expression, across: Expression, beyond: bool
     ) -> tuple[Value, Value] | None:
-        """The named legs of the right triangle that a perpendicular to a line makes; None where that has no letters."""
+        """The named legs of the right triangle that a perpendicular to a line makes; None where that has no letters.
+
+        ``beyond`` tells that its foot is beyond the start, not on the side of the other point on the line.
+        """
 
     def projections(
         self, ends: tuple[str, str], axis: AngleForm, along: Expression, across: Expression
@@ -113,6 +116,8 @@ def reduced(geometry: Angular, function: str, form: AngleForm) -> tuple[int, Exp
     if abs(other) < _NOTHING:
         return (1 if value > 0 else -1), None
     sign, form = 1, geometry.taken_apart(form)
+    if not form.parts and abs(size := normal_angle(form.constant)) > 90.0:  # of 20 degrees, not of 160
+        sign, form = -1, AngleForm((), normal_angle(size - 180.0))
     quarter = round(form.constant / 90.0)
     if abs(form.constant - 90.0 * quarter) < 1e-9:
         function, sign = _QUARTERS[function][quarter % 4]
@@ -121,7 +126,10 @@ def reduced(geometry: Angular, function: str, form: AngleForm) -> tuple[int, Exp
     if _is_backwards(form, terms):
         terms, form = [(-side, term) for side, term in terms], form.times(-1.0)
         sign = -sign if function == "sin" else sign
-    return sign, Applied(function, _sum_of(terms, form.constant))
+    whole = _sum_of(terms, form.constant)
+    if whole.number(True) > _HALF_TURN and len(terms) > 1:  # of a sum such as 105 + 150 degrees that beyond 180
+        return -sign, Applied(function, _sum_of(terms, form.constant - _HALF_TURN))
+    return sign, Applied(function, whole)
 
 
 def _is_backwards(form: AngleForm, terms: Sequence[Signed]) -> bool:
@@ -154,20 +162,34 @@ def direction_of(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) 
         return angle_of(geometry, axis.turned(left * (45.0 if ahead > 0 else 135.0)))
     if len(legs) == 2 and _are_equal(*legs):
         return angle_of(geometry, legs[0].form.plus(_turn(geometry, legs), 0.5))
-    axis, left = (axis, left) if ahead > 0 else (axis.turned(180.0), -left)
     start, end = ends
-    on_side = geometry.ahead_on(start, axis)
+    if _has_foot_at_end(geometry, legs, ends):
+        back = direction_of(geometry, [leg.reversed() for leg in reversed(legs)], (end, start))
+        return angle_of(geometry, AngleForm((), _HALF_TURN), ((1, back),))
     foot = _foot(geometry, legs, ends)
-    corner = Applied("arctan", Ratio(across, along) if foot is None else Ratio(foot[1], foot[0]))
+    if ahead < 0 and foot is None:
+        axis, left, ahead = axis.turned(180.0), -left, -ahead
+    on_side = geometry.ahead_on(start, axis)
+    corner: Expression = Applied("arctan", Ratio(across, along) if foot is None else Ratio(foot[1], foot[0]))
+    if ahead < 0:  # the foot of the perpendicular is beyond the vertex
+        corner = Constant(180.0, "angle") - corner
     named: Expression = corner
     if len(legs) == 2 and reduced(geometry, "cos", legs[1].form.minus(legs[0].form))[0] == 0:
         geometry.say_triangle(ends, legs[0], "triangle_right")
     if on_side:
         named = geometry.corner(start, on_side, end, corner)
+    elif under := _foot_of(along, start):
+        named = geometry.corner(start, end, under, corner)
     elif not axis.parts and axis.constant % 90.0 == 0:
         line = "horizontal" if axis.constant % 180.0 == 0 else "vertical"
         named = geometry.inclination(start, end, line, corner)
     return angle_of(geometry, axis, ((left, named),))
+
+
+def _foot_of(leg: Expression, start: str) -> str:
+    """The foot H of a perpendicular where a leg is AH from the start A; nothing for another length."""
+    name = leg.name if isinstance(leg, Value) else None
+    return name.about if name is not None and name.kind == "length" and name.of == start else ""
 
 
 def _axis_of(legs: Sequence[Leg]) -> AngleForm:
@@ -175,18 +197,27 @@ def _axis_of(legs: Sequence[Leg]) -> AngleForm:
     return next((leg.form for leg in legs if not leg.form.parts), legs[0].form)
 
 
+def _has_foot_at_end(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) -> bool:
+    """Whether only at the end of a way a line of the figure carries the foot of a perpendicular, from its start."""
+    if len(legs) != 2 or not legs[0].form.parts or legs[1].form.parts or geometry.ahead_on(ends[0], legs[1].form):
+        return False
+    return bool(geometry.ahead_on(ends[1], legs[1].form.turned(_HALF_TURN)))
+
+
 def _foot(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) -> tuple[Value, Value] | None:
     """In a triangle of two sides and the angle between them the legs of the right triangle whose hypotenuse is the
     third side, by the perpendicular from the end to the line of the first; None in other triangles.
     """
+    if _has_foot_at_end(geometry, legs, ends):
+        legs, ends = [leg.reversed() for leg in reversed(legs)], ends[::-1]
     if len(legs) != 2 or not legs[1].form.parts:
         return None
     axis = _axis_of(legs)
     ahead, along = positive(summed(projected(geometry, "cos", legs, axis)))
     _, across = positive(summed(projected(geometry, "sin", legs, axis)))
-    oblique = isinstance(along, Total) and isinstance(across, Times)
-    on_side = geometry.ahead_on(ends[0], axis) if oblique and ahead > 0 else ""
-    return geometry.foot(ends[0], on_side, ends[1], along, across) if on_side else None
+    oblique = isinstance(along, Total) and len(list(terms_of(across))) == 1
+    on_side = geometry.ahead_on(ends[0], axis) if oblique else ""
+    return geometry.foot(ends[0], on_side, ends[1], along, across, ahead < 0) if on_side else None
 
 
 def right_triangle(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) -> list[Leg]:

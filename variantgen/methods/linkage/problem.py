@@ -15,7 +15,7 @@ from variantgen.algebra.expression import Constant, Expression, Pi, Value
 from variantgen.algebra.name import Name
 from variantgen.families.family import Form
 from variantgen.families.figure_hints import DiscMark
-from variantgen.families.literal_data import literal_data
+from variantgen.families.literal_data import literal_data, literal_radii
 from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import Quantity, motion_order
@@ -165,6 +165,8 @@ class Task:
         shown = abs(printed) if parameter.is_rate else printed
         measure = parameter.unit.measures
         usual = self.unit_of(measure)
+        if parameter.found:  # a result like all others, with as many digits
+            return Value(Name("parameter", parameter.symbol), measure, shown, Constant(shown))
         value = Value(Name("parameter", parameter.symbol), measure, shown)
         if parameter.unit.name == usual:
             return value
@@ -183,7 +185,7 @@ class Task:
     @cached_property
     def stated_rates(self) -> dict[str, Value]:
         """The rates that a scene states as numbers, by the letters that its sheet gives them; magnitudes, no zeros."""
-        if self.variant.family.folder is not None:
+        if not self.is_own_scene:
             return {}
         found = {}
         for datum in literal_data(self.form):
@@ -193,6 +195,18 @@ class Task:
                 size = float(f"{printed:.{_DIGITS}g}")
                 found[datum.name] = Value(Name("parameter", datum.name), datum.measures, size)
         return found
+
+    @property
+    def is_own_scene(self) -> bool:
+        """Whether the mechanism is that of a file by itself, whose sheet the program makes."""
+        return self.variant.family.folder is None
+
+    @property
+    def stated_radii(self) -> dict[str, list[float]]:
+        """The radii of each body that its file states as numbers; of a scene also those of its wheels, as its sheet."""
+        places = self.in_metres.z if self.is_own_scene else {}
+        stated = literal_radii(self.form, places).items()
+        return {body: [radius / self.length_unit for radius in radii] for body, radii in stated}
 
     def unit_of(self, measure: str) -> str:
         """The name of the unit in which a measure is printed in this solution."""

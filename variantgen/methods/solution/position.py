@@ -29,6 +29,7 @@ _OF_NEXT = (
     "position.drawn",
     "position.law_angle",
     "position.perpendicular",
+    "position.perpendicular_beyond",
     "position.projections",
     "position.radius",
     *(f"position.triangle_{shape}" for shape in ("sides", "height", "isosceles", "half_square", "right", "sines")),

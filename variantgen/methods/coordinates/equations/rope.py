@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from variantgen.algebra.expression import Expression
+from variantgen.algebra.expression import Expression, Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import Maybe, added, product
 from variantgen.mechanism.constructions.tangent import thread_direction
@@ -43,6 +43,9 @@ def _side(model: Model, bend: Bend) -> float:
 
 
 def _radius(model: Model, bend: Bend) -> Expression:
+    """The radius of a drum or a pulley; the sheet of a scene calls that of a pulley at rest by its point."""
+    if bend.body is None and model.task.is_own_scene:
+        return Value(Name("radius", bend.point), "length", model.length(bend.radius))
     return model.radius(bend.body, bend.point, model.length(bend.radius))
 
 
