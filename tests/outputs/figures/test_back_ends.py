@@ -104,9 +104,12 @@ def engine_places(node: ET.Element, shift: complex, flipped: bool) -> list[compl
     return found
 
 
-def test_the_typeset_figure_has_the_same_places(drawn: Picture) -> None:
+@pytest.mark.parametrize("letters", [False, True], ids=["equations", "letters in a line"])
+def test_the_typeset_figure_has_the_same_places(drawn: Picture, letters: bool) -> None:
     drawing = drawn.drawing
     data = figure_data(drawing)
+    data["labels"] = data["labels"].data(letters)
+    assert bool(data["labels"]["markup"]) != letters
     page = '#import "figure.typ": draw-figure\n#import "common.typ": *\n'
     page += "#set page(width: auto, height: auto, margin: 0pt)\n"
     page += '#show: document-style.with("ru")\n#draw-figure(json(inputs.data).figure, 1000pt, 1pt)\n'
