@@ -1,4 +1,4 @@
-"""A blind comparison set: composed problems and problems of the catalogue, shuffled, with the key in a file apart.
+"""A blind comparison set: composed problems and problems of the catalogue with as many links, shuffled, the key apart.
 
     python -m benchmarks.blind --out FOLDER [--each N] [--lang ru] [--seed SEED]
 
@@ -11,21 +11,21 @@ from __future__ import annotations
 import argparse
 import csv
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from pathlib import Path
 
 from variantgen.errors import InputError
 from variantgen.exam.composed import write
 from variantgen.exam.composed_pools import shuffled
 from variantgen.families.asking import read_ask
-from variantgen.families.family import Family
 from variantgen.families.reading.folders import family_names
 from variantgen.families.reading.load import load_family
 from variantgen.figure.build import statement_figure
 from variantgen.outputs.figures.svg import svg
 from variantgen.single import one_variant
 from variantgen.synthesis.recognition import structures_of
-from variantgen.synthesis.structures import code, textbook_structures
+from variantgen.synthesis.structures import Structure, code, moving_links, textbook_structures
 from variantgen.variants.seeding import digest
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.formula import to_plain
@@ -33,6 +33,7 @@ from variantgen.wording.html import to_html
 from variantgen.wording.language import load_language
 from variantgen.wording.statement import statement
 
+_TRIES = 5  # of structures for a problem
 _PAGE = """<!DOCTYPE html><meta charset="utf-8"><title>{number}</title>
 <style>body {{ font: 1.1rem serif; margin: 2rem; max-width: 60rem }}
 svg {{ float: right; margin: 1rem; height: 20rem }}</style>
@@ -40,30 +41,34 @@ svg {{ float: right; margin: 1rem; height: 20rem }}</style>
 """
 
 
-def composed_families(folder: Path, each: int, seed: str) -> Iterator[tuple[str, Path]]:
-    """So many composed families, with their codes."""
-    found = 0
-    for structure in shuffled(textbook_structures(5), seed, ""):
-        if found == each:
-            return
-        try:
-            write(structure, seed, folder / code(structure), with_case=False)
-        except InputError:
-            continue
-        found += 1
-        yield f"composed {code(structure)}", folder / code(structure)
+def composed_families(folder: Path, sizes: Iterable[int], seed: str) -> Iterator[tuple[str, Path]]:
+    """A composed family for each number of moving links, and its code; no structure twice while there are others."""
+    left: list[Structure] = []
+    for number, size in enumerate(sizes):
+        for _ in range(_TRIES):
+            own = [structure for structure in left if moving_links(structure) == size]
+            if not own:
+                every = textbook_structures(size)
+                own = [s for s in shuffled(every, f"{seed} {number}", "") if moving_links(s) == size]
+                left += own
+            left.remove(own[0])
+            made = folder / f"{number} {code(own[0])}"
+            with suppress(InputError):
+                write(own[0], f"{seed} {number}", made, with_case=False)
+                yield f"composed {code(own[0])}", made
+                break
 
 
-def catalogue_forms(each: int, seed: str) -> list[tuple[str, str, str]]:
-    """So many forms of the catalogue that could have been composed: their names, family and form."""
-    families = [load_family(name) for name in family_names()]
-    forms = [(f"catalogue {f.name} {n}", f.name, n) for f in families for n, form in f.forms.items() if _alike(f, n)]
+def catalogue_forms(each: int, seed: str) -> list[tuple[str, str, str, int]]:
+    """So many forms of the catalogue that could have been composed: names, family, form, number of moving links."""
+    forms = [
+        (f"catalogue {family.name} {name}", family.name, name, moving_links(min(known)))
+        for family in map(load_family, family_names())
+        for name, form in family.forms.items()
+        if (known := structures_of(form.sample))
+    ]
     ordered = sorted(forms, key=lambda item: digest("blind", item[0], seed))
     return (ordered * each)[:each]
-
-
-def _alike(family: Family, form: str) -> bool:
-    return bool(structures_of(family.forms[form].sample))
 
 
 def page(number: str, name: str, form: str, seed: str, language: str) -> str:
@@ -88,8 +93,10 @@ def main() -> None:
     options = parser.parse_args()
     options.out.mkdir(parents=True)
     with tempfile.TemporaryDirectory() as scratch:
-        own = [(what, str(path), "") for what, path in composed_families(Path(scratch), options.each, options.seed)]
-        every = [(*item, str(i)) for i, item in enumerate(own + catalogue_forms(options.each, options.seed))]
+        forms = catalogue_forms(options.each, options.seed)
+        sizes = [size for *_, size in forms]
+        own = [(what, str(path), "") for what, path in composed_families(Path(scratch), sizes, options.seed)]
+        every = [(*item, str(i)) for i, item in enumerate(own + [form[:3] for form in forms])]
         every.sort(key=lambda item: digest("shuffle", *item, options.seed))
         rows = []
         for place, (what, name, form, seed) in enumerate(every, start=1):

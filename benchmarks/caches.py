@@ -35,6 +35,7 @@ IDENTITY = {
     "families.family:Form.remembered": "it is what forms remember",
     "figure.board:Board.linkage": "the linkage remembers what rests",
     "methods.linkage.problem:Task.linkage": "the linkage remembers what rests",
+    "methods.linkage.problem:Task.remembered": "it is what tasks remember",
     "outputs.html.pages:_environment": "it has the compiled templates",
     "outputs.html.pages:_style": "beside the templates",
     "outputs.latex.templates:_environment": "it has the compiled templates",

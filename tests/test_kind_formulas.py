@@ -290,6 +290,12 @@ KINDS = {
     "car_and_bend": _car_and_bend,
     "belt_over_four": _belt_over_four,
     "crossed_belt": lambda: {"omega_B": -300 * 15 / 25, "v_rope.O.C": 300 * pi / 30 * 0.15},  # no point moves
+    "tackle_of_five": lambda: {"v_B": 1.2 / 5},
+    "weston_hoist": lambda: {"v_B": 2 * (15 - 12) / 2, "a_B": 0.4 * (15 - 12) / 2},
+    "elevator_two_to_one": lambda: {"v_C": 4 * 0.5 / 2, "v_rope.O.C": 2, "v_rope.O.W": 2, "v_rope.F.C": 0},
+    "two_pulleys_three_loads": lambda: {"v_C": 1, "v_B": 2 * 1 + 0.5, "v_B_D": 2.5 + 0.5},
+    "geared_winch": lambda: {"v_B": 20 * pi / 30 * 6 / 24 * 10, "omega_drum": 20 * pi / 30 / 4},
+    "belt_and_hoist": lambda: {"v_B": 40 * pi / 30 * 20 / 2, "omega_shaft": 40, "v_rope.O.C": 4 * pi * 12},
     "planet_between": _planet_between,
     "epicyclic_belt": _epicyclic,
     "hoist_two_ropes": lambda: {"v_B": 3 / 2, "v_D": 3 / 4, "a_D": 1.5 / 4},

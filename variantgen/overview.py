@@ -26,7 +26,7 @@ _PATTERNS = (
     "v_{p}.across_{q}{r}", "a_{p}.t", "a_{p}.n", "rho_{p}", "ratio_{b}.{c}", "P_{b}.x", "Q_{b}.y",
     "v_rope.{p}.{q}", "max_v_{p}", "min_omega_{b}", "phi_max_x_{p}", "mean_v_{p}", "stroke_{p}", "swing_{b}",
     "time_ratio_{p}", "max_t_v_{p}", "t_max_v_{p}", "t_zero_v_{p}", "t_back_{p}", "way_{p}", "shift_{p}.x",
-    "average_v_{p}", "turned_{b}",
+    "duration_{p}", "average_v_{p}", "turned_{b}",
 )  # fmt: skip
 
 

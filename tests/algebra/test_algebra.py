@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
 
 from variantgen.algebra import python_source
@@ -13,9 +14,11 @@ from variantgen.algebra.expression import (
     Constant,
     Expression,
     Magnitude,
+    Pi,
     Raised,
     Ratio,
     SquareRoot,
+    Times,
     Total,
     Value,
     Variable,
@@ -151,3 +154,15 @@ def test_zero_values_and_replaced_ones() -> None:
 )
 def test_a_program_has_no_rounding_of_the_machine(value: float, measure: str, text: str) -> None:
     assert python_source.number(value, measure) == text
+
+
+def test_angles_in_degrees_are_converted_in_a_program() -> None:
+    """Variables of angles are in radians: ``pi phi / 180`` and ``sin(540 t / pi)`` of a formula are, too."""
+    phi, time = Value(Name("parameter", "phi"), "angle", 60.0), Value(Name("parameter", "t"), "time", 0.3)
+    names = {phi: "phi", time: "t"}
+    way = Ratio(Times((Pi(), Constant(4.0), phi)), Constant(180.0)) * cos(phi)
+    swing = sin(Total(((1, Ratio(Times((Constant(540.0), time)), Pi())), (1, Constant(90.0, "angle")), (1, phi))))
+    known = {"np": np, "phi": math.pi / 3, "t": 0.3}
+    assert eval(python_source.written(way, names), known) == pytest.approx(4 * math.pi / 3 * 0.5)
+    assert eval(python_source.written(swing, names), known) == pytest.approx(math.cos(0.9 + math.pi / 3))
+    assert eval(python_source.written(Times((Constant(2.0), phi)), names), known) == pytest.approx(2 * math.pi / 3)

@@ -99,6 +99,15 @@ def test_the_speed_behind_a_movable_pulley_is_explained(scene: Scene) -> None:
     assert "Относительно оси B подвижного" in out
 
 
+def test_strands_of_other_speeds_are_not_one(scene: Scene) -> None:
+    """Between K and B three strands are hauled in at 1.2, 0.72 and 0.24: none is the speed of the cord between them."""
+    text = FOUR.replace(rope("A", "K", "B", "L", "B", "F"), rope("A", "K", "B", "K", "B", "K", "B"))
+    code, _, message = scene.run(text, "--ask", "v_rope.K.B")
+    assert code == 2
+    assert "several strands run so" in message
+    assert scene.answers(text, "--ask", "v_rope.A.K") == {"v_rope.A.K": pytest.approx(1.2)}
+
+
 def test_a_strand_follows_the_guide_of_its_block(scene: Scene) -> None:
     # D moves along a slope, B hangs on three strands: the rope turns about K.
     guides = "[[joints]]\nguide = { point = 'D', angle = 30 }\n[[joints]]\nguide = { point = 'B', angle = 90 }\n"

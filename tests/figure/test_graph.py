@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from decimal import Decimal
 from math import pi, radians, sin, sqrt
 from pathlib import Path
@@ -18,12 +19,13 @@ from variantgen.families.rate_graphs import grid_of, with_graph
 from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.families.sketches import with_sketch
-from variantgen.figure.drawing import BOLD
+from variantgen.figure.drawing import BOLD, Layer
 from variantgen.figure.drawing import Path as DrawnPath
 from variantgen.figure.graph import grid, rate_graph, turn_curve
 from variantgen.outputs.documents.sheet_data import sheet_notes
 from variantgen.outputs.formats import read_exam
 from variantgen.single import one_variant
+from variantgen.variants.draw import FamilySampler
 from variantgen.wording.answer_notes import answer_notes
 from variantgen.wording.formula import to_plain
 from variantgen.wording.graph_words import read_off
@@ -83,6 +85,28 @@ def test_the_sheet_has_empty_grids_and_the_solution_their_curves(tmp_path: Path)
     assert "".join(part for part in posed.statement.text if isinstance(part, str)).count("Sketch in the grids") == 1
     names = [figure.name for row in solved.rows for figure in row]
     assert names[-2:] == [f"{CURVE}:v_B", f"{CURVE}:omega_AB"]
+
+
+def test_a_coordinate_to_be_sketched_is_not_the_one_that_rests() -> None:
+    """A sheet on which the mechanism lies upright would have the line x_B = 0 for a curve."""
+    family = load_family("slider_crank")
+    family = with_sketch(replace(family, forms={"central": family.forms["central"]}), ["x_B"])
+    variants = FamilySampler(family, None).after([("flat", number) for number in range(12)], [0] * 12)
+    for variant in variants:
+        curve = turn_curve(variant, "x_B", load_language("en"))
+        # The slider moves to and fro by twice the crank.
+        assert np.ptp(curve.values) == pytest.approx(2 * float(variant.printed["OA"]), rel=1e-3)
+
+
+def test_lines_with_numbers_are_stronger_where_others_have_none() -> None:
+    """The rate of 4.5 that changes by 4 in 2 s is read on lines of 0.5, of which each fifth has a number."""
+    variant = one_variant("slider_crank_with_graph", {"omega_OA": "4.5", "epsilon_OA": "2"}, form="read")
+    figure = rate_graph(variant, load_language("en"))
+    level = [line for line in figure.lines if isinstance(line, DrawnPath) and line.layer is Layer.GROUND]
+    level = [line for line in level if abs((line.points[1] - line.points[0]).imag) < 1e-9]
+    weights = [line.weight for line in sorted(level, key=lambda line: line.points[0].imag)]
+    assert [k for k, weight in enumerate(weights) if weight == max(weights)] == list(range(0, len(weights), 5))
+    assert len({*weights}) == 2
 
 
 @pytest.mark.parametrize(

@@ -164,7 +164,7 @@ class Total(Expression):
 
     def number(self, exact: bool) -> float:
         """The sum."""
-        return sum(sign * term.number(exact) for sign, term in self.terms)
+        return sum([sign * term.number(exact) for sign, term in self.terms])
 
     def operands(self) -> Sequence[Expression]:
         """The terms."""
@@ -195,7 +195,7 @@ class Times(Expression):
 
     def number(self, exact: bool) -> float:
         """The product."""
-        return math.prod(factor.number(exact) for factor in self.factors)
+        return math.prod([factor.number(exact) for factor in self.factors])
 
     def operands(self) -> Sequence[Expression]:
         """The factors."""

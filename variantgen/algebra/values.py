@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
 
-from variantgen.algebra.expression import Expression, Value
+from variantgen.algebra.expression import Constant, Expression, Value
 
 
 def in_order(values: Iterable[Value], known: Collection[Value] = ()) -> list[Value]:
@@ -35,14 +35,14 @@ def made_of(value: Value) -> tuple[Value, ...]:
 
 def parts(item: Expression) -> list[Value]:
     """The values in an expression, from left to right."""
+    if isinstance(item, Value):
+        return [item]
     found: list[Value] = []
-    waiting = [item]
-    while waiting:
-        part = waiting.pop()
-        if isinstance(part, Value):
-            found.append(part)
-        else:
-            waiting += reversed(part.operands())
+    for operand in item.operands():
+        if isinstance(operand, Value):
+            found.append(operand)
+        elif not isinstance(operand, Constant):
+            found += parts(operand)
     return found
 
 

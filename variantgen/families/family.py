@@ -9,7 +9,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from variantgen.families.course import FormInTime, FoundInstant, Interval
+from variantgen.families.course import FormByPlace, FormInTime, FoundInstant, Interval
 from variantgen.families.figure_hints import FigureHints
 from variantgen.families.machine import Machine
 from variantgen.families.parameters.draw_rules import HandFriendly, Pose, Screens, TiedValues
@@ -103,11 +103,13 @@ class Form:
             self._course(values, frame) if self.interval else None,
         )
 
-    def _course(self, values: Mapping[str, Real], frame: Frame) -> FormInTime:
+    def _course(self, values: Mapping[str, Real], frame: Frame) -> FormInTime | FormByPlace:
         """The motion in the interval of time."""
         assert self.interval is not None, "there is an interval"
         start, end = (expression.value(values) for expression in (self.interval.start, self.interval.end))
         parameters = {name: values[name] for name in self.parameters}
+        if self.interval.is_of_place:
+            return FormByPlace(self, self.interval.time, parameters, frame, start, end)
         return FormInTime(self, self.interval.time, parameters, frame, start, end)
 
     @cached_property
@@ -121,8 +123,10 @@ class Form:
 
     @cached_property
     def of_accelerations_alone(self) -> frozenset[str]:
-        """Parameters on which only accelerations depend: those of second order that are in no law of time."""
-        in_laws = set(self.laws)
+        """Parameters on which only accelerations depend: those of second order that are in no law of time, nor in an
+        acceleration by which a law gives the velocity.
+        """
+        in_laws = set(self.laws) | {f"{name}_dot" for name, law in self.laws.items() if law.rate is not None}
         for name, expression in reversed(list(self.derived.items())):
             in_laws |= expression.names if name in in_laws else set()
         second = {name for name, parameter in self.parameters.items() if parameter.of_second_order}

@@ -10,7 +10,6 @@ import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from types import MappingProxyType
 from typing import Any
 
@@ -84,15 +83,6 @@ def literal_radii(form: Form, at: Mapping[str, complex] = MappingProxyType({})) 
     A wheel that rolls on a line has its radius by the places ``at`` of centre and contact, if the figure does not name
     it.
     """
-    return _radii(form, at) if at else _stated_radii(form)
-
-
-@lru_cache(maxsize=1000)
-def _stated_radii(form: Form) -> Mapping[str, Sequence[float]]:
-    return _radii(form, {})
-
-
-def _radii(form: Form, at: Mapping[str, complex]) -> dict[str, list[float]]:
     found: dict[str, list[float]] = {}
     named = {disc.body for disc in form.figure.discs if disc.name}
     for template in form.joints:

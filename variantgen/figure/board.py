@@ -57,8 +57,13 @@ class Board:
 
     @property
     def loads(self) -> set[str]:
-        """Points that hang on a rope and belong to no body."""
-        return {name for joint in self.scene.joints for name in joint.hanging() if not self.owners(name)}
+        """Points that hang on a rope and belong to no body of several points, nor to a round one."""
+        hanging = {name for joint in self.scene.joints for name in joint.hanging()}
+        return {name for name in hanging if not self.is_disc(name) and not self.is_linked(name)}
+
+    def is_linked(self, point: str) -> bool:
+        """Whether a point belongs to a body of several points."""
+        return any(len(self.scene.bodies[body]) > 1 for body in self.owners(point))
 
     def owners(self, point: str) -> list[str]:
         """Bodies that a point belongs to."""

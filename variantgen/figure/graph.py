@@ -32,7 +32,7 @@ _TURN, _LINES, _NUMBERS = 360, 30, 60  # degrees: the whole way, between lines, 
 _MOST = 5  # lines of the grid above zero
 _SAMPLES = 181
 _CLEAR = 1.2  # u between the grid and its numbers
-_HAIR = 0.25 * THIN  # lines of a grid, which no curve is taken for
+_HAIR, _RULE = 0.25 * THIN, 0.6 * THIN  # lines of a grid, which no curve is taken for: without and with a number
 _BEYOND, _HEAD = 4.0, 2.2  # u: of an axis beyond its grid, and its head
 
 
@@ -90,14 +90,14 @@ def _grid(across: _Axis, up: _Axis, titles: tuple[Formula, Formula], degrees: bo
     top, right = complex(0, up.length), complex(across.length, 0)
     for value, numbered in across.lines:
         foot = complex(across.at(float(value)), 0)
-        lines.append(_line(foot, foot + top, _HAIR))
+        lines.append(_rule(foot, foot + top, numbered and across.every > 1))
         if numbered:
             plain = language.decimal(value)
             number = Measured(plain, language.unit(unit("deg"))) if degrees else plain
             labels.append(_label(number, foot - 1.5j * _CLEAR, -0.5 - 1j))
     for value, numbered in up.lines:
         foot = complex(0, up.at(float(value)))
-        lines.append(_line(foot, foot + right, _HAIR))
+        lines.append(_rule(foot, foot + right, numbered and up.every > 1))
         if numbered:
             labels.append(_label(language.decimal(value), foot - _CLEAR, -1 - 0.5j))
     zero = complex(0, up.at(0.0))
@@ -220,7 +220,12 @@ def _range(values: Field) -> tuple[Decimal, Decimal, Decimal]:
 
 
 def _line(start: complex, end: complex, weight: float) -> Path:
-    return Path((start, end), Layer.GROUND if weight == _HAIR else Layer.LINK, weight)
+    return Path((start, end), Layer.LINK, weight)
+
+
+def _rule(start: complex, end: complex, stronger: bool) -> Path:
+    """A line of a grid, ``stronger`` where it has a number that others have not."""
+    return Path((start, end), Layer.GROUND, _RULE if stronger else _HAIR)
 
 
 def _label(formula: Formula, at: complex, corner: complex) -> Label:

@@ -61,10 +61,12 @@ class Motion:
         return display("motion_html", self)
 
     def length_scale(self) -> Field:
-        """Largest distance of a point from the centre of all points (m), shape (N,); 1 m for a single point."""
+        """Largest distance of a point from the centre of all points (m), shape (N,); of a single point at least 1 m,
+        or its distance from the origin, whose rounding its motion shows.
+        """
         places = np.array(list(self.z.values()))
         size = np.max(np.abs(places - np.mean(places, axis=0)), axis=0)
-        result: Field = np.where(size > 0, size, 1.0)
+        result: Field = np.where(size > 0, size, np.maximum(1.0, np.abs(places[0])))
         return result
 
     def take(self, index: NDArray[Any]) -> Motion:
@@ -116,16 +118,14 @@ def take_scene(scene: Scene, index: NDArray[Any] | int, size: int) -> Scene:
     """A scene with the chosen variants only: arrays of the batch length are indexed, scalars stay."""
 
     def cut(item: Any) -> Any:
-        changes = {name: short for name, value in vars(item).items() if (short := shortened(value)) is not value}
+        changes: dict[str, Any] = {}
+        for name, value in vars(item).items():
+            if isinstance(value, np.ndarray):
+                if value.shape == (size,):
+                    changes[name] = value[index]
+            elif isinstance(value, tuple) and value and is_dataclass(value[0]):
+                changes[name] = tuple(cut(part) for part in value)
         return type(item)(**(vars(item) | changes)) if changes else item
-
-    def shortened(value: Any) -> Any:
-        """An array over the batch or a tuple of parts with the chosen variants; anything else as it is."""
-        if isinstance(value, np.ndarray) and value.shape == (size,):
-            return value[index]
-        if isinstance(value, tuple) and value and is_dataclass(value[0]):
-            return tuple(cut(part) for part in value)
-        return value
 
     return Scene(
         {name: cut(item) for name, item in scene.points.items()},

@@ -9,6 +9,7 @@ import numpy as np
 
 from variantgen.mechanism.arithmetic import Complex, dot
 from variantgen.mechanism.joints.rope import Bend, Rope
+from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import Field, Motion
 from variantgen.mechanism.rows import Placement
 from variantgen.mechanism.scene import Scene
@@ -50,6 +51,13 @@ class RopePiece:
         first, second = self.rope.path[self.number : self.number + 2]
         return first.point, second.point
 
+    def run(self, resting: Collection[str]) -> int:
+        """The number of the first piece from which the rope runs on over pulleys at rest alone, so equally fast."""
+        number, path = self.number, self.rope.path
+        while number and path[number].point in resting:
+            number -= 1
+        return number
+
     def way(self, resting: Collection[str]) -> RopeWay | None:
         """The way over fewest moving pulleys from an end whose motion tells that of the rope; None for no such end."""
         last = len(self.rope.path) - 1
@@ -57,8 +65,8 @@ class RopePiece:
             RopeWay(self.rope, self.rope.path[: self.number + 1], tuple(range(self.number + 1)), 1),
             RopeWay(self.rope, self.rope.path[: self.number : -1], tuple(range(last - 1, self.number - 1, -1)), -1),
         )
-        told = [way for way in ways if way.bends[0].body is None or way.bends[0].point in resting]
-        return min(told, key=lambda way: sum(bend.point not in resting for bend in way.bends[1:]), default=None)
+        known = [way for way in ways if way.bends[0].body is None or way.bends[0].point in resting]
+        return min(known, key=lambda way: sum(bend.point not in resting for bend in way.bends[1:]), default=None)
 
 
 def rope_pieces(scene: Scene) -> list[RopePiece]:
@@ -68,8 +76,16 @@ def rope_pieces(scene: Scene) -> list[RopePiece]:
 
 
 def rope_piece(scene: Scene, first: str, second: str) -> RopePiece | None:
-    """The straight piece of a rope between two stations; None where no rope runs so."""
-    return next((piece for piece in rope_pieces(scene) if {*piece.ends} == {first, second}), None)
+    """The straight piece of a rope between two stations.
+
+    None where no rope runs so, or several of them with speeds of their own: strands of a tackle, two belts.
+    """
+    resting = Linkage(scene).resting
+    found = [piece for piece in rope_pieces(scene) if {*piece.ends} == {first, second} and not piece.rope.closing]
+    if len({(id(piece.rope), piece.run(resting)) for piece in found}) > 1:
+        return None
+    closing = (piece for piece in rope_pieces(scene) if {*piece.ends} == {first, second})
+    return next(iter(found), next(closing, None))
 
 
 def rope_velocity(motion: Motion, piece: RopePiece) -> Field:

@@ -31,7 +31,7 @@ class Construction(Protocol):
 
 
 class SceneInTime(Protocol):
-    """The motion of N scenes by laws of time, in an interval of time: the scene at any of its instants."""
+    """The motion of N scenes by laws, in an interval of time: the scene at any of its instants."""
 
     @property
     def start(self) -> Real:
@@ -41,6 +41,11 @@ class SceneInTime(Protocol):
     @property
     def end(self) -> Real:
         """The end of the interval (s)."""
+        ...
+
+    @property
+    def is_by_place(self) -> bool:
+        """Whether the interval is stated by its places, so that its length is not told."""
         ...
 
     @property

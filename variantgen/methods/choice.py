@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cache, lru_cache
+from functools import lru_cache
 from itertools import zip_longest
 
 from variantgen.errors import InputError, Problem
@@ -67,8 +67,7 @@ def natural(task: Task) -> MethodStyle:
     return _style(task.variant.family.solution)
 
 
-@cache
-def _style(names: tuple[str, ...]) -> MethodStyle:
+def _style(names: Sequence[str]) -> MethodStyle:
     """The first of the names for each order."""
     chosen = {order: name for order in (1, 2) for name in reversed(names) if name in _of_groups(order)}
     usual = MethodStyle()

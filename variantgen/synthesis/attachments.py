@@ -55,6 +55,8 @@ def _on_block(draft: Draft, link: Link, other: int) -> Attachment:
     if link.extra:
         raise LayoutError("a second arm")
     link.extra = True
+    if link.noun == "pin":
+        _as_slider(draft, link.start)
     point = draft.letter()
     distance = draft.length(link.start, point, draft.rng.choice((24, 28, 32, 36)), 0.2)
     body = link.start + point
@@ -77,6 +79,19 @@ def _on_block(draft: Draft, link: Link, other: int) -> Attachment:
     if start in draft.hints.get("hidden", ()):
         return Attachment(point, "arm_across_slot", facts, link.start)
     return Attachment(point, "arm_across", facts | {"bar": start + end}, link.start)
+
+
+def _as_slider(draft: Draft, point: str) -> None:
+    """A pin in two guides becomes a slider and a sleeve (or a block in a slot) on one pin: both can carry arms, which
+    turn against each other.
+    """
+    place, facts = next((i, f) for i, (k, f) in enumerate(draft.sentences) if f.get("slider") == point)
+    riding = "block" if facts["noun"] == "groove" else "collar"
+    draft.sentences[place] = (f"slider_and_{riding}", facts)
+    for link in draft.links.values():
+        if link.start == point and link.noun == "pin":
+            link.noun = riding if link.guide is None else "slider"
+    draft.relative = [(k, f | ({"block": riding} if f["point"] == point else {})) for k, f in draft.relative]
 
 
 def line_on(draft: Draft, number: int) -> Link:

@@ -35,7 +35,3 @@ class Chance:
     def uniform(self, low: float, high: float) -> float:
         """A number between two others."""
         return low + (high - low) * self.random()
-
-    def __deepcopy__(self, memo: object) -> Chance:
-        """Itself: a copy of what is laid out goes on choosing where the other one is."""
-        return self

@@ -31,11 +31,11 @@ from variantgen.variants.screening import motion_screens, sensitivity
 from variantgen.variants.seeding import Stream
 from variantgen.variants.variant import Variant
 
-MOST_TRIES = 40  # layouts of a structure
+MOST_TRIES = 160  # layouts of a structure
 _LOOKED_AT, _BY_HAND = 48, 6  # draws of a layout: all of them, and those whose solutions are worked out
 _VALID, _VALID_ASKED = 0.3, 0.15  # least shares of them that pass the screens, without answers and with them
 _CM = 100.0  # of a metre
-_MANY = 1000  # on which links are called cranks and rockers
+_MANY = 1000  # on which no links cross, and are called cranks and rockers
 _GOOD, _FIT = 0.6, 3  # share of draws on which a quantity is a good answer; draws that a hand can work out
 _MOST_ASKED = {1: 5, 2: 6, 3: 5}
 _FEWEST = 3
@@ -117,8 +117,9 @@ def _varied(draft: Draft, structure: Structure, scratch: Path) -> tuple[Family, 
     for width in _WIDTHS:
         family = _family(family_text(draft, _titles(structure), code(structure), ["a_A"], width), scratch)
         draws = _Draws(family, _quantities(family, ["a_A"]), _VALID)
-        if not np.any(crossed(draft, {name: _CM * places for name, places in draws.motion.z.items()})):
-            draft.called = called(draft, draws.many())
+        many = draws.many()
+        if not np.any(crossed(draft, {name: _CM * places for name, places in many.items()})):
+            draft.called = called(draft, many)
             _write_statements(draft, scratch)
             return family, draws, width
     raise LayoutError("links cross in other variants")

@@ -58,22 +58,24 @@ def crossed(draft: Draft, z: Mapping[str, NDArray[np.complex128]]) -> NDArray[np
 
 
 def _near(draft: Draft) -> str:
+    size = _size(draft)
     for one, other in combinations(_visible(draft), 2):
-        need = _APART * (_BASE if {one, other} & set(draft.pivots) else 1.0)
-        if draft.distance(one, other) < need * _size(draft):
+        need = _APART * (_BASE if one in draft.pivots or other in draft.pivots else 1.0)
+        if draft.distance(one, other) < need * size:
             return f"{one} near {other}"
     return ""
 
 
 def _on_bars(draft: Draft) -> str:
     """A point on a link that it neither belongs to nor slides on."""
-    slid = _slid(draft)
+    slid, size, visible = _slid(draft), _size(draft), _visible(draft)
     for bar in draft.bars:
-        for name in _visible(draft):
-            if name in _members(draft, bar) or (name, bar) in slid:
+        members = _members(draft, bar)
+        for name in visible:
+            if name in members or (name, bar) in slid:
                 continue
             need = _CLEAR * (_BASE if name in draft.pivots else 1.0)
-            if _off(draft.z, name, bar) < need * _size(draft):
+            if _off(draft.z, name, bar) < need * size:
                 return f"{name} on {bar[0]}{bar[1]}"
     return ""
 
@@ -117,7 +119,7 @@ def _blocks(draft: Draft) -> str:
             members = _members(draft, bar)
             if point in members and not {start, end} <= set(members):
                 far = bar[1] if point == bar[0] else bar[0]
-                angle = abs(math.degrees(np.angle((draft.z[far] - draft.z[point]) / guide)))
+                angle = abs(math.degrees(cmath.phase((draft.z[far] - draft.z[point]) / guide)))
                 if min(angle, 180 - angle) < _FOLDED:
                     return f"{bar[0]}{bar[1]} along the guide of {point}"
         part = ((draft.z[point] - draft.z[start]) / (draft.z[end] - draft.z[start])).real
@@ -128,13 +130,14 @@ def _blocks(draft: Draft) -> str:
 
 def _on_guides(draft: Draft) -> str:
     """A link across the line of a fixed guide, or a point on it."""
+    size = _size(draft)
     for point, bar in _near_guides(draft):
-        if _cross(_with_guide(draft, draft.z, point, _size(draft)), ("start", "end"), bar):
+        if _cross(_with_guide(draft, draft.z, point, size), ("start", "end"), bar):
             return f"{bar[0]}{bar[1]} across the guide of {point}"
     for point, _ in _guides(draft):
-        z, own = _with_guide(draft, draft.z, point, _size(draft)), _riding(draft, point)
+        z, own = _with_guide(draft, draft.z, point, size), _riding(draft, point)
         for name in _visible(draft):
-            if name not in own and _off(z, name, ("start", "end")) < _CLEAR * _size(draft):
+            if name not in own and _off(z, name, ("start", "end")) < _CLEAR * size:
                 return f"{name} on the guide of {point}"
     return ""
 
@@ -169,8 +172,9 @@ def _with_guide(draft: Draft, z: Mapping[str, Any], point: str, size: Any) -> Ma
 
 def _marks(draft: Draft) -> str:
     """Two marked angles at hinges that have no room for both arcs."""
+    size = _size(draft)
     for one, other in combinations(sorted({mark["at"] for mark in draft.marks}), 2):
-        if draft.distance(one, other) < _MARKED * _size(draft):
+        if draft.distance(one, other) < _MARKED * size:
             return f"angles at {one} and {other}"
     return ""
 
@@ -186,8 +190,9 @@ def _visible(draft: Draft) -> list[str]:
 
 
 def _sides(draft: Draft) -> tuple[float, float]:
-    z = np.array([draft.z[name] for name in _visible(draft)])
-    return float(np.ptp(z.real)), float(np.ptp(z.imag))
+    z = [draft.z[name] for name in _visible(draft)]
+    x, y = [place.real for place in z], [place.imag for place in z]
+    return max(x) - min(x), max(y) - min(y)
 
 
 def _size(draft: Draft) -> float:
@@ -196,7 +201,8 @@ def _size(draft: Draft) -> float:
 
 def _members(draft: Draft, bar: Bar) -> list[str]:
     """The points of a link by two of them."""
-    return next((points for points in draft.bodies.values() if set(bar) <= set(points)), list(bar))
+    one, other = bar
+    return next((points for points in draft.bodies.values() if one in points and other in points), list(bar))
 
 
 def _slid(draft: Draft) -> set[tuple[str, Bar]]:
@@ -219,7 +225,8 @@ def _joined(draft: Draft, one: Bar, other: Bar) -> bool:
 def _off(z: Mapping[str, Any], name: str, bar: Bar) -> Any:
     """How far a point is from a segment; numbers or arrays."""
     start, step = z[bar[0]], z[bar[1]] - z[bar[0]]
-    part = np.clip(((z[name] - start) / step).real, 0.0, 1.0)
+    part = ((z[name] - start) / step).real
+    part = min(max(part, 0.0), 1.0) if isinstance(part, float) else np.clip(part, 0.0, 1.0)
     return abs(z[name] - start - part * step)
 
 
@@ -237,7 +244,7 @@ def _folded(draft: Draft, one: Bar, other: Bar) -> bool:
     """Whether two links with a common hinge lie nearly on each other, or one goes on where the other ends."""
     for hinge in set(_members(draft, one)) & set(_members(draft, other)):
         ways = [[draft.z[end] - draft.z[hinge] for end in bar if end != hinge] for bar in (one, other)]
-        angles = [abs(math.degrees(np.angle(p / q))) for p in ways[0] for q in ways[1]]
+        angles = [abs(math.degrees(cmath.phase(p / q))) for p in ways[0] for q in ways[1]]
         if any(angle < _FOLDED or angle > 180 - _STRAIGHT for angle in angles):
             return True
     return False

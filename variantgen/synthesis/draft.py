@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import cmath
+import copy
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias
 
 from variantgen.synthesis.chance import Chance
@@ -18,6 +19,11 @@ OPENINGS = ("driven", "given", "in_position")  # how the statement tells the fir
 _LENGTH_STEP, _ANGLE_STEP = 2, 5  # cm, degrees
 Facts: TypeAlias = dict[str, str]
 Component: TypeAlias = tuple[str, dict[str, Any]]
+# Lists and tables of a draft whose entries do not change.
+_FLAT = (
+    *("z", "points", "data", "marks", "inside", "bars", "wheels", "sentences", "position", "asked", "pivots"),
+    *("relative", "require", "symbols", "nouns", "called"),
+)
 
 
 class LayoutError(Exception):
@@ -101,6 +107,21 @@ class Draft:
     symbols: dict[str, str] = field(default_factory=dict)
     nouns: dict[str, str] = field(default_factory=dict)
     called: dict[str, str] = field(default_factory=dict)  # bodies that are cranks or rockers
+
+    def copy(self) -> Draft:
+        """A draft to go on with in one way, while this one stays as it is."""
+        made = copy.copy(self)
+        for name in _FLAT:
+            setattr(made, name, copy.copy(getattr(self, name)))
+        made.bodies = {name: [*points] for name, points in self.bodies.items()}
+        made.hints = {key: [*values] for key, values in self.hints.items()}
+        made.joints = [(kind, {**fields}) for kind, fields in self.joints]
+        made.links = {n: replace(link, free=[*link.free], mates={*link.mates}) for n, link in self.links.items()}
+        return made
+
+    def style(self, of: str) -> int:
+        """0 or 1: which way to word a statement (or the like) is that of this layout; it depends on its data."""
+        return Chance("style", of, *(f"{name}={datum.value:g}" for name, datum in self.data.items())).below(2)
 
     def letter(self) -> str:
         """The next letter of a moving point."""

@@ -18,6 +18,7 @@ def family_text(
 
     Values vary about those of the draft, as far as their spread times ``width``.
     """
+    fine = draft.style("lengths") > 0
     lines = [
         "schema = 1",
         f"title = {_inline(titles)}",
@@ -27,7 +28,7 @@ def family_text(
         f"ask = {_value(list(asked))}",
         "",
         "[parameters]",
-        *(f"{name} = {_grid(datum, width)}" for name, datum in draft.data.items()),
+        *(f"{name} = {_grid(datum, width, fine)}" for name, datum in draft.data.items()),
         *([f'epsilon_OA = {{ unit = "rad/s^2", values = {list(_EPSILON)} }}'] if changes_speed(draft) else []),
         "sense = { choices = { counter_clockwise = 1, clockwise = -1 } }",
         "",
@@ -67,11 +68,12 @@ def _spacing(draft: Draft) -> float:
     return 0.1 if len(draft.asked) < 2 else 0.075
 
 
-def _grid(datum: Datum, width: float) -> str:
-    """The values of a datum: those of its grid that are as near as its spread says."""
+def _grid(datum: Datum, width: float, fine: bool) -> str:
+    """The values of a datum: those of its grid as near as its spread says; ``fine``: lengths by centimetres."""
+    step = 1 if fine and datum.unit == "cm" else datum.step
     half = datum.step * (width * datum.spread // datum.step)
     low, high = datum.value - half, datum.value + half
-    return f'{{ unit = "{datum.unit}", from = {low:g}, to = {high:g}, step = {datum.step:g} }}'
+    return f'{{ unit = "{datum.unit}", from = {low:g}, to = {high:g}, step = {step:g} }}'
 
 
 def _inline(fields: Mapping[str, Any]) -> str:

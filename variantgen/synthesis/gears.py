@@ -127,6 +127,11 @@ def _rim_point(draft: Draft, axis: str, centre: str, radius: str) -> None:
     draft.asked[-1].insert(0, f"v_{rim}")
 
 
+def _contact(draft: Draft) -> str:
+    """A name for the pitch point of gear and rack, which solutions tell."""
+    return "K" if "K" not in draft.points else draft.letter()
+
+
 def _rack(draft: Draft, slider: str, pitch_point: str, centre: str, radius: str, wheel: str) -> str:
     """The body of a rack from its slider along the guide past the pitch point, in mesh with the gear ``wheel``."""
     end = f"E{slider}"
@@ -154,7 +159,7 @@ def _driven_by_rack(draft: Draft, slider: Link) -> None:
     block, pivot = slider.start, draft.pivot()
     radius = draft.radius("r", draft.rng.choice(_RADII[:5]), _SPREAD)
     along, side = slider.guide + draft.rng.choice((0, 180)), draft.rng.choice((90, -90))
-    contact = f"K{block}"
+    contact = _contact(draft)
     draft.place(contact, block, draft.value(radius) + draft.rng.choice(_PAST), along)
     draft.polar(pivot, contact, radius, along + side, {"angle": f"{(along + side) % 360}*deg"})
     new_pivot(draft)
@@ -172,7 +177,7 @@ def rack(draft: Draft, links: tuple[int, int], dyad: AssurGroup, _: dict[int, st
     _gear_on(draft, link, axis, radius)
     guide, side, back = draft.rng.choice((0, 90)), draft.rng.choice((90, -90)), draft.rng.choice((0, 180))
     block = draft.letter()
-    contact = f"K{block}"
+    contact = _contact(draft)
     draft.polar(contact, axis, radius, guide + side, {"angle": f"{guide + side}*deg"})
     draft.place(block, contact, draft.value(radius) + draft.rng.choice(_PAST), guide + back)
     draft.joint("guide", point=block, **({"angle": guide} if guide else {}))

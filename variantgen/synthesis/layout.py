@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import copy
-
 from variantgen.synthesis.chance import Chance
 from variantgen.synthesis.crowding import crowded, too_long
 from variantgen.synthesis.draft import OPENINGS, Datum, Draft, LayoutError
@@ -11,7 +9,7 @@ from variantgen.synthesis.dyads import place_dyad
 from variantgen.synthesis.structures import CRANK, FRAME, Structure
 
 MOST_DATA = 10
-_TRIES = 60  # of one dyad on what is there
+_TRIES, _TOO_MANY = 60, 12  # of one dyad on what is there; of these with too many data
 
 
 def lay_out(structure: Structure, rng: Chance) -> Draft:
@@ -20,8 +18,6 @@ def lay_out(structure: Structure, rng: Chance) -> Draft:
     draft = _crank(rng, "R" not in uses[CRANK])
     for place in range(len(structure)):
         draft = _next(draft, place, structure, uses)
-    if len(draft.data) > MOST_DATA:
-        raise LayoutError("too many data")
     if problem := too_long(draft):
         raise LayoutError(problem)
     return draft
@@ -60,13 +56,18 @@ def _crank(rng: Chance, only_slid_on: bool) -> Draft:
 
 def _next(draft: Draft, place: int, structure: Structure, uses: dict[int, str]) -> Draft:
     """The draft with the next dyad."""
-    problem = ""
+    problem, too_many = "", 0
     for _ in range(_TRIES):
-        trial = copy.deepcopy(draft)
+        trial = draft.copy()
         try:
             place_dyad(trial, place, structure[place], uses)
         except LayoutError as error:
             problem = str(error)
+            continue
+        if len(trial.data) > MOST_DATA:
+            problem, too_many = "too many data", too_many + 1
+            if too_many > _TOO_MANY:  # it will hardly do with less
+                break
             continue
         problem = crowded(trial)
         if not problem:

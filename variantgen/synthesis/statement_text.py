@@ -33,7 +33,7 @@ def statement_text(draft: Draft, language: str) -> str:
     words = sentences(language)
     parts = _mechanism(draft, words)
     if len(draft.pivots) > 1:
-        parts.append(words["position"]["fixed"].format(names=_joined(draft.pivots, words)))
+        parts.append(_worded(draft, words["position"]["fixed"]).format(names=_joined(draft.pivots, words)))
     parts.append(_position(draft, words))
     relative = [words["relative"][key].format(**_forms(facts, words)) for key, facts in draft.relative]
     return " ".join(parts) + "".join(relative) + "\n"
@@ -49,7 +49,7 @@ def _mechanism(draft: Draft, words: Mapping[str, Any]) -> list[str]:
                 found.append(words["arms"][facts[f"at{index}"]].format(**_forms(_place(facts, index), words)))
         at_end = not place and facts.get("at") == "end" and facts["at_link"] == CRANK
         driven = draft.opening == "driven" and at_end and key in words["driven"]
-        sentence = words["driven" if driven else "sentences"][key]
+        sentence = _worded(draft, words["driven" if driven else "sentences"][key])
         found.append(sentence.format(**_filled(facts, words)))
     joined = found[:1]
     for sentence in found[1:]:
@@ -85,7 +85,16 @@ def _position(draft: Draft, words: Mapping[str, Any]) -> str:
     if there:
         there = f"; {there}" if opening == "given" else f"{there}; "
     motion = phrases["changing" if changes_speed(draft) else "constant"]
-    return str(phrases[opening].format(angles=_listed(angles, words), clauses=there, driver=driver)) + str(motion) + "."
+    return (
+        str(_worded(draft, phrases[opening]).format(angles=_listed(angles, words), clauses=there, driver=driver))
+        + str(motion)
+        + "."
+    )
+
+
+def _worded(draft: Draft, said: str | Sequence[str]) -> str:
+    """A sentence, or of several ways to say it the one that goes with the statement."""
+    return said if isinstance(said, str) else said[draft.style("words") % len(said)]
 
 
 def _as_called(facts: Facts, known: Mapping[str, str]) -> Facts:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from variantgen.errors import InputError, Problem
 from variantgen.families.family import Form
 from variantgen.families.literal_parameters import with_literal_parameters
-from variantgen.families.quantities import Quantity, motion_order
+from variantgen.families.quantities import Quantity, motion_order, split_name
 from variantgen.families.reading.soundness import demands
 from variantgen.mechanism.arithmetic import dot
 from variantgen.mechanism.motion import Motion
@@ -129,7 +129,17 @@ def _clearance(form: Form, motion: Motion, shown: Sequence[str]) -> NDArray[np.f
 def motion_screens(form: Form, motion: Motion, asked: Sequence[Quantity]) -> dict[str, Passed]:
     """Away from dead points; answers neither trivial nor out of proportion; nothing implausibly fast."""
     found = {"away from dead points": motion.solved & _at_least(motion.transmission, np.sin(form.screens.transmission))}
-    return found | clear_answers(form, motion, asked) | plausibility_screens(form, motion)
+    return found | clear_answers(form, motion, asked) | _curved(form, motion) | plausibility_screens(form, motion)
+
+
+def _curved(form: Form, motion: Motion) -> dict[str, Passed]:
+    """Coordinates to be sketched change: as a mechanism lies on paper, a slider may keep one of them."""
+    found = {}
+    for quantity in (split_name(name) for name in form.figure.sketch):
+        if quantity.kind in ("x", "y") and quantity.target in motion.v:
+            v = motion.v[quantity.target]
+            found[f"{quantity.name} changes"] = np.abs(v.real if quantity.kind == "x" else v.imag) > 1e-9 * np.abs(v)
+    return found
 
 
 def clear_answers(form: Form, motion: Motion, asked: Sequence[Quantity]) -> dict[str, Passed]:

@@ -53,7 +53,7 @@ def letter_notes(asked: Sequence[Quantity], language: Language) -> list[str]:
         "zero_instant": any(_of_interval(q, "t_zero_") for q in asked),
         "return_instant": any(_of_interval(q, "t_back") for q in asked),
         "average": any(_of_interval(q, "average_") for q in asked),
-        **{name: any(_of_interval(q, name) for q in asked) for name in ("way", "shift", "turned")},
+        **{name: any(_of_interval(q, name) for q in asked) for name in ("way", "shift", "turned", "duration")},
     }
     notes = [words[key] for key, wanted in needed.items() if wanted]
     pairs = dict.fromkeys((q.kind, q.target, q.component) for q in asked if q.kind == "distance" or q.group == "rope")

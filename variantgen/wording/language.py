@@ -32,7 +32,15 @@ NATURAL = {"t": "tau", "n": "n"}  # components of an acceleration along its path
 _DIRECTIONS = {"along": "∥", "across": "⟂"}  # before the letters of a line, in the index of a component
 _OF_TURN = ("max", "min", "mean")
 _TO_AND_FRO = {"stroke": "s", "swing": "psi", "time_ratio": "k"}
-_OF_INTERVAL = {"way": "s", "shift": "d", "turned": "theta", "average_v": "v", "average_a": "a", "t_back": "t"}
+_OF_INTERVAL = {
+    "way": "s",
+    "shift": "d",
+    "turned": "theta",
+    "average_v": "v",
+    "average_a": "a",
+    "t_back": "t",
+    "duration": "T",
+}
 _ABOUT = {"abs": "modulus", "angle": "angle", "sense": "sense"}
 _ALPHA = {"epsilon": "alpha", "alpha": "delta"}
 _DECIMALS, _DENOMINATOR = 12, 999  # digits of a quotient that does not come out, largest denominator that is printed

@@ -139,17 +139,28 @@ def _text(case: _Case) -> Text:
     variant, language = case.variant, case.language
     if variant.family.folder is None:
         words = language.words("sheet")
-        begun = words["law_scene" if case.form.laws else "scene"]
+        begun = words[_scene_words(case.form)]
         guides = guide_sentences(variant, case.asked, language)
+        if any(law.rate is not None and law.rate.start is not None for law in case.form.laws.values()):
+            guides = (f" {words['law_start']}", *guides)
         if case.form.found_instant is not None:
             parts: dict[str, Formula] = {"event": event_of(variant, language)}
             parts["interval"] = interval_of(variant, language)
             return (*with_formulas(words["found_scene"], parts), *guides)
         if not any(quantity.is_of_interval for quantity in case.asked):
             return (begun, *guides)
-        before, _, after = words["interval"].partition("{interval}")
+        by_place = case.form.interval is not None and case.form.interval.is_of_place
+        before, _, after = words["interval_by_place" if by_place else "interval"].partition("{interval}")
         return (begun, *guides, f" {before}", interval_of(variant, language), after)
     return _filled(case, load_template(template_path(variant, language)))
+
+
+def _scene_words(form: Form) -> str:
+    """The key of the words for a scene: without laws, with laws of time, with the velocity by the place."""
+    by_place = [law for law in form.laws.values() if law.rate is not None and law.rate.is_by_place]
+    if by_place:
+        return "law_scene_by_place" if by_place[0].is_length else "law_scene_by_angle"
+    return "law_scene" if form.laws else "scene"
 
 
 @lru_cache(maxsize=1000)

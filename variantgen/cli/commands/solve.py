@@ -27,7 +27,10 @@ if TYPE_CHECKING:
     from variantgen.exam.sheets import Answer
 
 _DIGITS = 5
-_NO_COURSE = "no value: it does not come in the interval of time, or the mechanism cannot move all through it"
+_NO_COURSE = (
+    "no value: it does not come in the interval of time, the mechanism cannot move all through it, or no law places "
+    "its points"
+)
 _NO_TURN = "no value: it does not change over a turn, nothing moves to and fro, or the crank cannot make the turn"
 HELP = "solve one variant"
 DESCRIPTION = "Solve one variant of a family, or a scene file: positions, velocities, accelerations."

@@ -12,6 +12,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property, partial, reduce
 from operator import itemgetter
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -129,18 +130,18 @@ class FamilyExpression:
         used = {Variable(name): definitions[name].tree for name in self.names if name in definitions}
         return self._made(lambda: substituted(self.tree, used)) if used else self
 
-    def derivative(self, name: str) -> FamilyExpression:
-        """The derivative by one of its names, as an expression of the same names.
+    def derivative(self, name: str, rates: Mapping[Variable, Expression] = MappingProxyType({})) -> FamilyExpression:
+        """The derivative by one of its names, as an expression of the same names; ``rates`` are those of other names.
 
         Raises InputError for functions that have no derivative everywhere (abs, min, max, atan2), and for expressions
         whose derivative would grow beyond measure.
         """
         for item in walk(self.tree):
             function = item.function if isinstance(item, Applied) else "abs" if isinstance(item, Magnitude) else ""
-            if function in _ROUGH and name in _names(item):
+            if function in _ROUGH and _names(item) & {name, *(other.name for other in rates)}:
                 said = f"{function} of the time has no derivative here"
                 raise InputError(Problem(said, value=self.text, remedy="use a smooth function"))
-        return self._made(lambda: derivative(self.tree, {Variable(name): Constant(1.0)}))
+        return self._made(lambda: derivative(self.tree, {Variable(name): Constant(1.0), **rates}))
 
     def _made(self, work_out: Callable[[], Expression | None]) -> FamilyExpression:
         try:

@@ -13,6 +13,7 @@ from variantgen.algebra.expression import Constant, Expression, Times, Variable
 from variantgen.errors import InputError, Problem
 from variantgen.families.parameters.dimensions import Dimension
 from variantgen.families.parameters.expressions import FamilyExpression
+from variantgen.families.parameters.rate_law import Integrated, RateLaw
 from variantgen.families.parameters.units import UNITS, Unit, unit
 from variantgen.mechanism.component import DIMENSIONS, discover, field_specs
 from variantgen.tables import Table
@@ -22,10 +23,21 @@ _SECTIONS = {"points": "constructions", "joints": "joints", "drivers": "drivers"
 
 
 class Law(NamedTuple):
-    """A law of time: the unit of its plain numbers, empty where its parts have their own; a length or an angle."""
+    """A law of time: the unit of its plain numbers, empty where its parts have their own; a length or an angle.
+
+    One that is given by its velocity or acceleration has that as its ``rate``, and how it is ``integrated``.
+    """
 
     plain_unit: str
     is_length: bool
+    rate: RateLaw | None = None
+    integrated: Integrated | None = None
+
+    def rate_measure(self, order: int) -> str:
+        """What it measures itself (order 0), its velocity (1), its acceleration (2)."""
+        if self.is_length:
+            return ("length", "velocity", "acceleration")[order]
+        return ("angle", "angular velocity", "angular acceleration")[order]
 
 
 class MeasuredLaw(NamedTuple):
@@ -72,6 +84,10 @@ class PlainLaws:
     def __init__(self, time: str, fed: Mapping[str, str], length: str) -> None:
         self._time, self._fed, self._length = time, fed, length
         self._plain: dict[str, FamilyExpression] = {}
+
+    def know(self, name: str, number: FamilyExpression) -> None:
+        """Let laws name another one, or a place, by its plain number."""
+        self._plain[name] = number
 
     def measured(
         self, name: str, law: FamilyExpression, named: Unit | None, dimensions: Mapping[str, Dimension]

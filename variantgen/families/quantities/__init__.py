@@ -40,6 +40,7 @@ name                      meaning
 ``instant_t``             instant of the problem, also written ``t``, where it is found by what happens at it
 ``turned_AB``             angle by which a body turns in the interval, positive counter-clockwise
 ``t_back_B``              instant at which a point is first again where it was at the beginning
+``duration_B``            time of the interval, where the laws state it by its places
 ========================  ======================================================================================
 
 What there is of a kind is told by one table: :data:`variantgen.families.quantities.kinds.KINDS`.

@@ -23,6 +23,7 @@ def of_interval(of_instant: Mapping[str, Kind], of_vector: Callable[[Vectors], C
         "way": Kind("course", 1, "length", _of_one("way_of")),
         "instant": Kind("course", 1, "time", _instant),
         "turned": Kind("course", 1, "angle", _of_one("turned")),
+        "duration": Kind("course", 1, "time", _of_one("duration")),
         INSTANT_OF + "back": Kind("course", 1, "time", _of_one("first_return")),
         "shift": Kind("course", 1, "length", of_vector(_change("change", 1, "z"))),
         "average_v": Kind("course", 1, "velocity", of_vector(_change("change_per_second", 1, "z"))),

@@ -100,11 +100,20 @@ def quantity_names(scene: Scene) -> list[str]:
 
 def interval_names(scene: Scene) -> list[str]:
     """Names of what can be asked of the interval of time of a scene: ways, means, extremes, instants; none without."""
-    of_point = ("way_{}", "shift_{}", "average_v_{}", "mean_t_v_{}", "max_t_v_{}", "t_max_v_{}", "t_zero_v_{}")
+    of_point: tuple[str, ...] = (
+        "way_{}",
+        "shift_{}",
+        "average_v_{}",
+        "mean_t_v_{}",
+        "max_t_v_{}",
+        "t_max_v_{}",
+        "t_zero_v_{}",
+    )
     of_body = ("turned_{}", "mean_t_omega_{}", "max_t_omega_{}", "t_max_omega_{}", "t_zero_omega_{}")
     if scene.course is None:
         return []
-    found = [name.format(point) for point in _moving_points(scene) for name in (*of_point, "t_back_{}")]
+    of_point += ("duration_{}",) if scene.course.is_by_place else ("t_back_{}",)
+    found = [name.format(point) for point in _moving_points(scene) for name in of_point]
     return found + [name.format(body) for body in scene.bodies for name in of_body]
 
 
@@ -183,6 +192,9 @@ def _has_course(quantity: Quantity, scene: Scene) -> bool:
         return known and moves and not of.line and (is_part or component not in _NO_EXTREMES)
     if quantity.is_turning:
         return quantity.target in scene.bodies and not component
+    assert scene.course is not None, "there is an interval"
+    if quantity.kind == "duration" and not scene.course.is_by_place:
+        return False  # the data tell it
     parts = ("", "x", "y", "angle") if quantity.kind in _VECTORS_OF_INTERVAL else ("",)
     return quantity.target in _moving_points(scene) and component in parts
 
@@ -233,7 +245,7 @@ def _for_interval(scene: Scene) -> str:
     """What a value of an interval of time needs."""
     names = "max_t_v_B, min_t_x_B, mean_t_v_B, t_max_v_B, t_zero_v_B, t_back_B, way_B, shift_B, turned_AB, average_v_B"
     stated = "" if scene.course else ", and state the interval in [laws]: interval = [0, 3]"
-    return f"of an interval of time write {names}{stated}"
+    return f"of an interval of time write {names}, and duration_B where it is stated by its places{stated}"
 
 
 def _bodies_with(target: str, scene: Scene) -> list[str]:
@@ -260,6 +272,8 @@ def _proposed(text: str, quantity: Quantity | None, scene: Scene, known: Sequenc
         return f"write the two bodies of omega / omega: ratio_AB.CD with two of {', '.join(sorted(scene.bodies))}"
     if quantity is not None and quantity.group == "rope":
         pieces = [".".join((ROPE, *piece.ends)) for piece in rope_pieces(scene)]
+        if any({*piece.ends} == {quantity.target, quantity.component} for piece in rope_pieces(scene)):
+            return "several strands run so, each as fast as its own rope lets it: give them stations with other names"
         return "a rope runs straight between: " + ", ".join(pieces) if pieces else "there is no rope"
     if quantity is not None and quantity.is_of_interval:
         return _for_interval(scene)

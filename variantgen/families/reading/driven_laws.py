@@ -72,11 +72,12 @@ def as_written(form: Form) -> Form:
 def check_driven(form: Form, time: str) -> None:
     """Raise InputError for drivers that contradict the law of time by which their place or their velocity is given.
 
-    ``time`` is the parameter that is the instant. A place that no law gives, or that cannot be assembled, proves
-    nothing and is passed over.
+    ``time`` is the parameter that is the instant, or the place whose velocity is given. A place that no law gives, or
+    that cannot be assembled, proves nothing and is passed over.
     """
     base = _draws(form)
-    values = [form.values(base | {time: base[time] + side * _STEP}) for side in (0, 1, -1)]
+    rate = form.values(base).get(f"{time}_dot", 1.0)  # of a place its velocity
+    values = [form.values(base | {time: base[time] + side * _STEP * rate}) for side in (0, 1, -1)]
     derived = {f"{law}{dots}": law for law in form.laws for dots in ("_dot", "_ddot")}
     problems = list(_stretched(form))
     for i, template in enumerate(form.drivers):

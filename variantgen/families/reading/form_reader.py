@@ -25,9 +25,9 @@ from variantgen.families.parameters.plain_angles import Kind, check_angle, kind_
 from variantgen.families.parameters.reading import check_name, read_parameter, unknown_name
 from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import is_quantity, quantity_names
-from variantgen.families.reading.driven_laws import check_driven, with_accelerations
+from variantgen.families.reading.driven_laws import with_accelerations
 from variantgen.families.reading.implied import with_blocks, with_stations
-from variantgen.families.reading.law_reader import check_interval, read_interval, read_laws
+from variantgen.families.reading.law_reader import check_motion, read_interval, read_laws
 from variantgen.families.reading.soundness import check_constants
 from variantgen.families.templates import TemplateReader
 from variantgen.limits import DERIVED, GRID, PARAMETERS, PARTS
@@ -85,8 +85,8 @@ class FormReader:
         self._read_derived(self.top.table("derived"))
         known = len(self.problems)
         laws = self.top.table("laws")
-        self.laws = read_laws(self, laws, self.top.data, self._length)
-        interval = read_interval(laws, self._templates.quantity)
+        self.laws = read_laws(self, laws, self.top.data, self._length, self._templates.quantity, self.parameters)
+        interval = read_interval(laws, self._templates.quantity, self.dimensions)
         if len(self.problems) > known:  # what uses a wrong law would only repeat that it is unknown
             return None
         points = self._templates.points(self.top.table("points"))
@@ -140,10 +140,7 @@ class FormReader:
         with self.top.collecting(""):
             check_constants(form)
             _ = form.plan
-            if self.laws:
-                check_driven(form, self.top.data["laws"]["time"])
-            if interval:
-                check_interval(form)
+            check_motion(form, self.top.data.get("laws", {}))
             form = self._with_instant(form)
             self._check_ask(form)
         return form if len(self.problems) == before else None

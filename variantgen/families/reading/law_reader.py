@@ -17,9 +17,15 @@ from variantgen.families.family import Form
 from variantgen.families.parameters.dimensions import Dimension
 from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.families.parameters.laws import Law, PlainLaws, fed_measures, split_law
-from variantgen.families.parameters.units import Unit
+from variantgen.families.parameters.parameter import Parameter
+from variantgen.families.parameters.rate_law import RateLaw
+from variantgen.families.parameters.solved_law import SolvedLaw
+from variantgen.families.parameters.units import UNITS, Unit
+from variantgen.families.reading.driven_laws import check_driven
+from variantgen.families.reading.rate_reader import Quantity, RateReader, ReadRate, is_rate_law, rates_of
 from variantgen.tables import Table
 
+_BETWEEN = 64  # values of the variable between the start of a law and the instant
 _OWN = ("time", "interval", "instant")  # keys of the table that are no laws
 _Stated = tuple[FamilyExpression, Unit | None]  # a law as it is written, and the unit beside it
 
@@ -43,15 +49,28 @@ class Definitions(Protocol):
         ...
 
 
-def read_laws(form: Definitions, table: Table, scene: Mapping[str, Any], length: str) -> dict[str, Law]:
+def read_laws(
+    form: Definitions,
+    table: Table,
+    scene: Mapping[str, Any],
+    length: str,
+    quantity: Quantity,
+    parameters: Mapping[str, Parameter],
+) -> dict[str, Law]:
     """The laws by name; their values and derivatives become derived quantities of the form.
 
-    ``scene`` is the file, which tells what each law feeds, ``length`` its unit of length. Mistakes are noted.
+    ``scene`` is the file, which tells what each law feeds, ``length`` its unit of length, ``quantity`` reads a number
+    or an expression of a dimension. Mistakes are noted.
     """
     if not table.data:
         return {}
-    time = table.need("time", str, "t", "the name of the parameter that is the instant")
-    if form.dimensions.get(time) != (0, 1):
+    place = place_of(table.data, form.dimensions)
+    if place and "instant" in table.data:
+        remedy = f'leave one of both out; by the time {place} is a law and no parameter: time = "t"'
+        table.problem(f"an instant cannot be found where the place {place} is given", "instant", "", remedy)
+        return {}
+    time = "" if place else table.need("time", str, "t", "the name of the parameter that is the instant")
+    if time and form.dimensions.get(time) != (0, 1):
         table.problem("expected the name of a parameter that is a time", "time", time, 'give it the unit "s"')
         return {}
     table.expect(*_OWN)
@@ -59,10 +78,24 @@ def read_laws(form: Definitions, table: Table, scene: Mapping[str, Any], length:
     moving: dict[str, FamilyExpression] = {}
     for name, expression in form.derived.items():
         whole = expression.inlined(moving)
-        if time in whole.names:
+        if (time or place) in whole.names:
             moving[name] = whole
-    plain = PlainLaws(time, fed_measures(scene), length)
+    plain = PlainLaws(time or place, fed_measures(scene), length)
     found: dict[str, Law] = {}
+    alone: list[str] = [place] if place else []  # names that no formula of the time stands for
+    rates = RateReader(form, time, quantity, _sample(parameters, form.derived), length)
+    for name in [name for name, value in table.data.items() if is_rate_law(value)]:
+        with table.collecting(name):
+            if (read := rates.read(table, name)) is not None:
+                found[name] = read.law
+                if read.plain is not None:
+                    plain.know(name, read.plain)
+                _define(form, name, read, time)
+                if read.place is None or isinstance(read.place, SolvedLaw):
+                    alone.append(name)
+                else:
+                    moving[name] = read.place
+    others = {name: rate for name, rate in rates_of(alone).items() if name.name != time}
     for name, (written, named) in _in_order(dict(_stated(form, table))):
         with table.collecting(name):
             form.known_names(written)
@@ -73,15 +106,43 @@ def read_laws(form: Definitions, table: Table, scene: Mapping[str, Any], length:
             dimension = form.define(name, law, stated.dimension if stated else None)
             found[name] = Law(stated.unit if stated else "", dimension == (1, 0))
             for i, suffix in enumerate(("_dot", "_ddot"), start=1):
-                law = law.derivative(time)
+                law = law.derivative(time, others)
                 form.define(name + suffix, law, (dimension[0], dimension[1] - i))
     table.finish()
     return found
 
 
+def _sample(parameters: Mapping[str, Parameter], derived: Mapping[str, FamilyExpression]) -> dict[str, float]:
+    """Values (SI) from the middle of the parameters, with what is derived of them."""
+    found = {name: float(p.si[len(p.si) // 2]) for name, p in parameters.items()}
+    for name, expression in derived.items():
+        found[name] = float(expression.value(found))
+    return found
+
+
+def place_of(data: Mapping[str, Any], dimensions: Mapping[str, Dimension]) -> str:
+    """The parameter that is the place where the motion is looked at, if laws state no time; "" without one."""
+    if "time" in data:
+        return ""
+    return next((name for name, value in data.items() if is_rate_law(value) and name in dimensions), "")
+
+
+def _define(form: Definitions, name: str, read: ReadRate, time: str) -> None:
+    """Make the place, the velocity and the acceleration of a law by its rate known."""
+    length = 1 if read.law.is_length else 0
+    if read.place is not None:
+        form.define(name, read.place, (length, 0))
+    velocity = read.velocity
+    if velocity is None:
+        assert read.place is not None, "a law without a velocity has a place"
+        velocity = read.place.derivative(time)
+    form.define(f"{name}_dot", velocity, (length, -1))
+    form.define(f"{name}_ddot", read.acceleration or velocity.derivative(time, rates_of([name])), (length, -2))
+
+
 def _stated(form: Definitions, table: Table) -> Iterator[tuple[str, _Stated]]:
     """The laws as they are written."""
-    for name in [name for name in table.data if name not in _OWN]:
+    for name in [name for name, value in table.data.items() if name not in _OWN and not is_rate_law(value)]:
         table.expect(name)
         text, named = split_law(table, name)
         law = form.parsed(table, name, text)
@@ -97,28 +158,56 @@ def _in_order(laws: dict[str, _Stated]) -> Iterator[tuple[str, _Stated]]:
         yield name, laws.pop(name)
 
 
-def read_interval(table: Table, quantity: Callable[[str, Any], FamilyExpression]) -> Interval | None:
-    """The interval of time of the table of laws, ``[0, 3]`` in seconds or with names of times; mistakes are noted."""
+def read_interval(
+    table: Table, quantity: Callable[[str, Any], FamilyExpression], dimensions: Mapping[str, Dimension]
+) -> Interval | None:
+    """The interval of the table of laws; mistakes are noted.
+
+    Of time, ``[0, 3]`` in seconds or with names of times, or where laws state a place, of that: ``["30 deg", "phi"]``.
+    """
     ends = table.data.get("interval")
     if ends is None:
         return None
+    place = place_of(table.data, dimensions)
+    measure = ("length" if dimensions[place][0] else "angle") if place else "time"
+    example = "the first and the last place" if place else 'like [0, 3] in seconds, or [0, "t"]'
     right = isinstance(ends, list) and len(ends) == 2
     if not right or any(isinstance(end, bool) or not isinstance(end, int | Decimal | str) for end in ends):
-        table.problem("expected its beginning and its end", "interval", ends, 'like [0, 3] in seconds, or [0, "t"]')
+        table.problem("expected its beginning and its end", "interval", ends, example)
         return None
     found: list[FamilyExpression] = []
     for end in ends:
         with table.collecting("interval"):
-            found.append(quantity("time", end))
-    return Interval(table.data["time"], *found) if len(found) == 2 else None
+            found.append(quantity(measure, end))
+    if len(found) < len(ends):
+        return None
+    first, last = found
+    return Interval(place or table.data["time"], first, last, bool(place))
 
 
-def check_interval(form: Form) -> None:
+def check_motion(form: Form, laws: Mapping[str, Any]) -> None:
+    """Raise InputError for laws that do not come to the instant, drivers against them, and a wrong interval.
+
+    ``laws`` is the table of the file.
+    """
+    if form.laws:
+        _check_laws(form)
+        dimensions = {name: p.unit.dimension if p.unit else (0, 0) for name, p in form.parameters.items()}
+        check_driven(form, laws.get("time") or place_of(laws, dimensions))
+    if form.interval:
+        _check_interval(form)
+
+
+def _check_interval(form: Form) -> None:
     """Raise InputError for an interval that ends before it begins, and for drivers whose motion in it nothing tells."""
     assert form.interval is not None and form.sample.course is not None, "there is an interval"
     problems: list[Problem] = []
-    if not np.all(np.less(form.sample.course.start, form.sample.course.end)):
-        stated = f"{form.interval.start.text}, {form.interval.end.text}"
+    stated = f"{form.interval.start.text}, {form.interval.end.text}"
+    if form.interval.is_of_place:
+        if not np.all(np.isfinite(form.sample.course.end)):
+            said = f"{form.interval.time} does not come from its first value to its last one by this law"
+            problems.append(Problem(said, key="laws.interval", value=stated, remedy="exchange them, or shorten it"))
+    elif not np.all(np.less(form.sample.course.start, form.sample.course.end)):
         problems.append(Problem("ends before it begins", key="laws.interval", value=stated))
     rates = {f"{law}{dots}" for law in form.laws for dots in ("_dot", "_ddot")}
     for i, template in enumerate(form.drivers, start=1):
@@ -128,3 +217,39 @@ def check_interval(form: Form) -> None:
             problems.append(Problem(said, key=f"drivers[{i}]", remedy=remedy))
     if problems:
         raise InputError(problems)
+
+
+def _check_laws(form: Form) -> None:
+    """Raise InputError for laws by rates that do not come from their start to the instant of the problem."""
+    problems = []
+    for name, law in form.laws.items():
+        if law.rate is None or law.rate.start is None:
+            continue
+        values = form.values({given: float(p.si[len(p.si) // 2]) for given, p in form.parameters.items()})
+        if not _comes_so_far(form, law, law.rate, values):
+            at = values[law.rate.variable]
+            said = "does not come from its start to the instant of the problem"
+            if law.rate.is_by_place:
+                said = "does not come from its start to the place of the problem: its velocity comes to zero before"
+            stated, remedy = (
+                f"{law.rate.variable} = {at:.6g} (SI)",
+                "check the signs, or take a value nearer to the start",
+            )
+            problems.append(Problem(said, key=f"laws.{name}", value=stated, remedy=remedy))
+    if problems:
+        raise InputError(problems)
+
+
+def _comes_so_far(form: Form, law: Law, rate: RateLaw, values: Mapping[str, float]) -> bool:
+    """Whether place and velocity are defined all the way from the start, and the velocity of a place keeps its sign."""
+    assert rate.start is not None
+    size = UNITS[rate.unit].size if rate.unit and rate.is_by_place else 1.0
+    begun = float(FamilyExpression("", rate.start.where).value(values)) * size
+    way = np.linspace(begun, values[rate.variable], _BETWEEN)
+    data: dict[str, Any] = {given: np.full(_BETWEEN, values[given]) for given in form.parameters} | {rate.variable: way}
+    found = form.values(data)
+    names = [f"{rate.name}_dot"] if rate.is_by_place else [rate.name, f"{rate.name}_dot"]
+    if not all(np.all(form.derived[name].defined(found)) for name in names):
+        return False
+    velocity = np.broadcast_to(found[names[-1]], (_BETWEEN,))[1:]
+    return not rate.is_by_place or bool(np.all(velocity > 0) or np.all(velocity < 0) or np.ptp(way) == 0)

@@ -18,7 +18,7 @@ from variantgen.wording.solution.quantity_symbols import Symbols
 
 
 class RopeSpeed(NamedTuple):
-    """The velocity (m/s) of the straight piece of a rope between two stations, from the first one on."""
+    """The velocity (m/s) of the straight piece of a rope, towards its last bend, by the stations that ask for it."""
 
     stations: tuple[str, str]
     speed: float
@@ -31,7 +31,7 @@ def rope_speeds(motion: Motion, index: int, asked: Sequence[Quantity]) -> list[R
         piece = rope_piece(motion.scene, *stations)
         if piece is not None:
             speeds = np.broadcast_to(rope_velocity(motion, piece), motion.size)
-            found.append(RopeSpeed(piece.ends, float(speeds[index])))
+            found.append(RopeSpeed(stations, float(speeds[index])))
     return found
 
 

@@ -7,110 +7,92 @@ spans the two strands that it joins, or lies in the corner that they make.
 from __future__ import annotations
 
 import cmath
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
+from typing import NamedTuple
 
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Layer
 from variantgen.figure.sketch import HINGE
+from variantgen.figure.symbols._strands import RADIUS, Strand, all_strands, parallel_ropes
+from variantgen.figure.symbols.guide import HALF_LOAD
 from variantgen.mechanism.joints.rope import Rope
 
-RADIUS = 2.2  # of a sheave, u
 BRACKET = 4.5
-HALF_LOAD = 3.0
-_SYMMETRIC = 0.05  # of the radius: loads on both sides of a sheave, as far from its middle
-_BEFORE = 5.8  # from a block in its guide to its sheaves, u
+_HALF_BASE, _HATCH = 3.8, 2.2  # of a support: half its width, and its height with some room
+_BESIDE, _NARROW = 1.0, 1.5  # between a support and a strand beside it, u; half its least width
 _STEM = 4.0  # from the hinge of a sheave to the load under it, u
+_BELOW = 1.5  # from a wide sheave to the load under it, u
 
 
-@dataclass
-class Strand:
-    """A straight piece on paper: its ends, which lie on its line, and the direction from the first to the second."""
+class Sheave(NamedTuple):
+    """A sheave on paper: the rope on it begins at the angle ``start``; ``away`` is whence it is held."""
 
-    start: complex
-    end: complex
-    way: complex
-
-
-def strands(board: Board, joint: Rope) -> list[Strand]:
-    """The straight pieces of a parallel rope, each at its place beside the others."""
-    aside = _slots(board, joint)
-    found = []
-    for i, (first, second) in enumerate(pairwise(joint.path)):
-        ends = [board.sketch.at[first.point], board.sketch.at[second.point]]
-        angle = joint.way(first, second)
-        if angle is None:
-            way = (ends[1] - ends[0]) / abs(ends[1] - ends[0])
-            found.append(Strand(ends[0], ends[1], way))
-            continue
-        way = complex(board.frame.direction(angle))
-        way = way if ((ends[1] - ends[0]) * way.conjugate()).real > 0 else -way
-        own = [aside.get((i, "leaves")), aside.get((i + 1, "comes"))]
-        for k in (0, 1):
-            shift = own[k]
-            if shift is not None:
-                ends[k] += shift
-        for k in (0, 1):  # at a station at rest, the strand is where its block has it
-            if own[k] is None and own[1 - k] is not None:
-                ends[k] = ends[1 - k] + ((ends[k] - ends[1 - k]) * way.conjugate()).real * way
-        found.append(Strand(ends[0], ends[1], (ends[1] - ends[0]) / abs(ends[1] - ends[0])))
-    return found
-
-
-def _slots(board: Board, joint: Rope) -> dict[tuple[int, str], complex]:
-    """How far from its moving station each strand stands: by station on the path, and whether it comes or leaves."""
-    found: dict[tuple[int, str], complex] = {}
-    last = len(joint.path) - 1
-    for point in dict.fromkeys(bend.point for bend in joint.path if bend.along is not None and not bend.fixed):
-        visits = [i for i, bend in enumerate(joint.path) if bend.point == point]
-        places = [
-            (i, way) for i in visits for way in ("comes", "leaves") if (i, way) not in ((0, "comes"), (last, "leaves"))
-        ]
-        along = joint.path[visits[0]].along
-        across = 1j * complex(board.frame.direction(0.0 if along is None else along))
-        # The first strand stands on the side of the station that it comes from.
-        before, after = joint.path[max(visits[0] - 1, 0)].point, joint.path[min(visits[-1] + 1, last)].point
-        lean = ((board.sketch.at[before] - board.sketch.at[after]) * across.conjugate()).real
-        across = across if lean >= 0 else -across
-        middle = (len(places) - 1) / 2
-        before_block = 0j if point in board.loads or len(places) == 1 else _BEFORE * _towards(board, joint, visits[0])
-        half = _half_gap(board, joint, visits, across) or RADIUS
-        found |= {place: before_block + 2 * half * (middle - n) * across for n, place in enumerate(places)}
-    return found
-
-
-def _half_gap(board: Board, joint: Rope, visits: list[int], across: complex) -> float:
-    """The radius with which a sheave holds two moving ends of the rope upright on both of its sides; 0 for no such."""
-    ends = [joint.path[i] for i in (visits[0] - 1, visits[0] + 1) if 0 <= i < len(joint.path)]
-    alone = [bend.along is not None and not bend.fixed and not _has_sheave(board, bend.point) for bend in ends]
-    if len(visits) != 1 or len(ends) != 2 or not all(alone):
-        return 0.0
-    middle = board.sketch.at[joint.path[visits[0]].point]
-    first, second = (((board.sketch.at[bend.point] - middle) * across.conjugate()).real for bend in ends)
-    return first if first > HINGE and abs(first + second) < _SYMMETRIC * first else 0.0
+    centre: complex
+    radius: float
+    start: float
+    sweep: float
+    away: complex
 
 
 def draw(board: Board, joint: Rope) -> None:
     """Add the strands, the sheaves and what carries them, loads and anchors."""
-    pieces = strands(board, joint)
+    every = [(rope, strands, _sheaves(rope, strands)) for rope, strands in ropes_with_strands(board)]
+    pieces, sheaves = next((strands, own) for rope, strands, own in every if rope is joint)
+    discs = [sheave for _, _, own in every for sheave in own.values()]
+    lines = [piece for _, strands, _ in every for piece in strands]
     last = len(joint.path) - 1
     for i, bend in enumerate(joint.path):
-        if bend.body is not None:
+        if i in sheaves:
+            _draw_sheave(board, joint, i, sheaves[i])
+        if 0 < i < last or bend.body is not None:
             continue
-        if 0 < i < last:
-            _sheave(board, joint, i, pieces[i - 1], pieces[i])
-        elif bend.fixed:
-            place, along = (pieces[0].start, pieces[0].way) if i == 0 else (pieces[-1].end, -pieces[-1].way)
-            base(board, place, -along)
-        else:
-            place, along = (pieces[0].start, pieces[0].way) if i == 0 else (pieces[-1].end, -pieces[-1].way)
-            middle = board.sketch.at[bend.point]
-            if abs(place - middle) > 1e-6:
-                _join(board, middle, place, along)
-            if _is_load(board, bend.point) and not _has_sheave(board, bend.point):
-                _load(board, bend.point, middle, _towards(board, joint, i))
+        piece = pieces[0 if i == 0 else -1]
+        place, along = (piece.start, piece.way) if i == 0 else (piece.end, -piece.way)
+        if bend.fixed:
+            foot = _clear_of(discs, place, along)
+            piece.start, piece.end = (foot, piece.end) if i == 0 else (piece.start, foot)
+            base(board, foot, -along, _half_base(piece, foot, lines))
+            continue
+        middle = board.sketch.at[bend.point]
+        if abs(place - middle) > 1e-6:
+            _join(board, middle, place, along)
+        if _is_load(board, bend.point) and not _has_sheave(board, bend.point):
+            _load(board, bend.point, middle, _towards(board, joint, i))
     for piece in pieces:
         board.sketch.path((piece.start, piece.end), Layer.THREAD, MEDIUM)
+    if joint is every[-1][0]:
+        for rope, strands, own in every:
+            _name_at_rest(board, rope, strands, own)
+
+
+def _name_at_rest(board: Board, joint: Rope, pieces: Sequence[Strand], sheaves: Mapping[int, Sheave]) -> None:
+    """The names of stations at rest stand where these are drawn."""
+    ends = {0: pieces[0].start, len(joint.path) - 1: pieces[-1].end}
+    for i, bend in enumerate(joint.path):
+        if bend.fixed and bend.point in board.shown:
+            board.sketch.at[bend.point] = (
+                sheaves[i].centre if i in sheaves else ends.get(i, board.sketch.at[bend.point])
+            )
+            board.sized(bend.point, sheaves[i].radius if i in sheaves else _HATCH)
+
+
+def ropes_with_strands(board: Board) -> Iterator[tuple[Rope, list[Strand]]]:
+    return zip(parallel_ropes(board), all_strands(board), strict=True)
+
+
+def _clear_of(discs: Sequence[Sheave], place: complex, along: complex) -> complex:
+    """An anchor further along its rope where its base would lie over a sheave."""
+    for disc in discs:
+        step = (disc.centre - place) * along.conjugate()
+        before, beside = step.real, max(0.0, abs(step.imag) - _HALF_BASE)
+        if (
+            abs(before) < disc.radius + _HATCH
+            and beside < disc.radius
+            and abs(complex(before, beside)) < disc.radius + _HATCH
+        ):
+            return place + (before + disc.radius + _HATCH) * along
+    return place
 
 
 def _towards(board: Board, joint: Rope, i: int) -> complex:
@@ -127,7 +109,12 @@ def _ropes(board: Board) -> list[Rope]:
 
 def _has_sheave(board: Board, point: str) -> bool:
     """Whether a rope passes a point."""
-    return any(bend.point == point for rope in _ropes(board) for bend in rope.path[1:-1])
+    return _count(board, point) > 0
+
+
+def _count(board: Board, point: str) -> int:
+    """How often ropes pass a point."""
+    return sum(bend.point == point for rope in _ropes(board) for bend in rope.path[1:-1])
 
 
 def _is_load(board: Board, point: str) -> bool:
@@ -142,15 +129,26 @@ def _is_load(board: Board, point: str) -> bool:
     return point in board.loads and not any(below)
 
 
-def _sheave(board: Board, joint: Rope, i: int, arriving: Strand, leaving: Strand) -> None:
-    """The sheave between two strands, whose ends are moved to where it takes them up."""
-    bend, sketch = joint.path[i], board.sketch
+def _sheaves(joint: Rope, pieces: Sequence[Strand]) -> dict[int, Sheave]:
+    """The sheaves of a rope by the number of their station; the strands then end where these take them up."""
+    found = {}
+    for i, bend in enumerate(joint.path[1:-1], 1):
+        sheave = _between(pieces[i - 1], pieces[i]) if bend.body is None else None
+        if sheave is not None:
+            found[i] = sheave
+    return found
+
+
+def _between(arriving: Strand, leaving: Strand) -> Sheave | None:
+    """The sheave between two strands, whose ends are moved to where it takes them up; None where there is no bend."""
     bends = (leaving.way * arriving.way.conjugate()).real
     if bends > 1 - 1e-6:
-        return  # the rope goes straight on
+        return None  # the rope goes straight on
     if bends < -0.99:
         centre = (arriving.end + leaving.start) / 2
         radius = abs(arriving.end - leaving.start) / 2
+        over = (1j * (arriving.end - centre) * arriving.way.conjugate()).real
+        sweep = cmath.pi if over > 0 else -cmath.pi
     else:
         turn = cmath.phase(leaving.way / arriving.way)
         normal = 1j * arriving.way if turn > 0 else -1j * arriving.way
@@ -161,36 +159,43 @@ def _sheave(board: Board, joint: Rope, i: int, arriving: Strand, leaving: Strand
         back = radius * abs(cmath.tan(turn / 2))
         arriving.end, leaving.start = corner - back * arriving.way, corner + back * leaving.way
         centre = arriving.end + radius * normal
+        sweep = cmath.phase((leaving.start - centre) / (arriving.end - centre))
     if radius < HINGE:
-        return
-    sketch.circle(centre, radius, Layer.DISC, MEDIUM)
-    sweep = cmath.phase((leaving.start - centre) / (arriving.end - centre))
-    if bends < -0.99:
-        over = (1j * (arriving.end - centre) / radius * arriving.way.conjugate()).real
-        sweep = cmath.pi if over > 0 else -cmath.pi
-    sketch.arc(Arc(centre, radius, Layer.THREAD, BOLD, cmath.phase(arriving.end - centre), sweep))
-    sketch.circle(centre, HINGE, Layer.HINGE, fill="paper")
+        return None
     pull = leaving.way - arriving.way
-    away = -pull / abs(pull)
+    return Sheave(centre, radius, cmath.phase(arriving.end - centre), sweep, -pull / abs(pull))
+
+
+def _draw_sheave(board: Board, joint: Rope, i: int, sheave: Sheave) -> None:
+    """A sheave with the rope on it, and what carries it."""
+    bend, sketch = joint.path[i], board.sketch
+    centre, radius, away = sheave.centre, sheave.radius, sheave.away
+    sketch.circle(centre, radius, Layer.DISC, MEDIUM)
+    sketch.arc(Arc(centre, radius, Layer.THREAD, BOLD, sheave.start, sheave.sweep))
+    sketch.circle(centre, HINGE, Layer.HINGE, fill="paper")
     if bend.fixed:
         foot = centre + (radius + BRACKET) * away
         sketch.path((centre + HINGE * away, foot), Layer.LINK, 0.8 * BOLD)
         base(board, foot, away)
     else:
-        _hang(board, bend.point, centre, -_towards(board, joint, i))
+        _hang(board, joint, i, sheave)
     board.sized(bend.point, radius)
     for taken in (-away, away):
         sketch.occupy(bend.point, taken)
 
 
-def _hang(board: Board, point: str, centre: complex, away: complex) -> None:
-    """Join a sheave to the middle of its block, and the load to the block."""
-    sketch = board.sketch
-    middle = sketch.at[point]
-    if abs(centre - middle) > 1e-6:
-        _join(board, middle, centre, -away)
+def _hang(board: Board, joint: Rope, i: int, sheave: Sheave) -> None:
+    """Join a sheave to the middle of its block, and the load to the block, or to a sheave that is the only one."""
+    sketch, point = board.sketch, joint.path[i].point
+    middle, away = sketch.at[point], -_towards(board, joint, i)
+    alone = _is_load(board, point) and abs(sheave.centre - middle) < RADIUS and _count(board, point) == 1
+    if alone:
+        middle = sheave.centre
+    elif abs(sheave.centre - middle) > 1e-6:
+        _join(board, middle, sheave.centre, -away)
     if _is_load(board, point):
-        place = middle + (HINGE + _STEM + HALF_LOAD) * away
+        reach = max(HINGE + _STEM, sheave.radius + _BELOW if abs(sheave.centre - middle) < sheave.radius else 0.0)
+        place = middle + (reach + HALF_LOAD) * away
         sketch.path((middle + HINGE * away, place), Layer.LINK, 0.8 * BOLD)
         _load(board, point, place, -away, clear=False)
 
@@ -198,9 +203,8 @@ def _hang(board: Board, point: str, centre: complex, away: complex) -> None:
 def _join(board: Board, middle: complex, place: complex, along: complex) -> None:
     """The frame of a block: forward from its middle, then aside to a sheave or to the end of a rope."""
     forward = middle + ((place - middle) * along.conjugate()).real * along
-    board.sketch.path(
-        [middle, forward, place] if abs(forward - place) > 1e-6 else [middle, place], Layer.LINK, 0.8 * BOLD
-    )
+    corner = [forward] if min(abs(forward - middle), abs(forward - place)) > 1e-6 else []
+    board.sketch.path([middle, *corner, place], Layer.LINK, 0.8 * BOLD)
 
 
 def _load(board: Board, point: str, place: complex, along: complex, clear: bool = True) -> None:
@@ -213,8 +217,18 @@ def _load(board: Board, point: str, place: complex, along: complex, clear: bool 
             board.sketch.occupy(point, taken)
 
 
-def base(board: Board, foot: complex, away: complex) -> None:
-    """A hatched support that faces against ``away``."""
-    start, end = foot - 3.0j * away, foot + 3.0j * away
+def base(board: Board, foot: complex, away: complex, half: float = 3.0) -> None:
+    """A hatched support that faces against ``away``, of some ``half`` width (u)."""
+    start, end = foot - half * 1j * away, foot + half * 1j * away
     board.sketch.path((start, end), Layer.LINK)
     board.sketch.hatch(start, end, away)
+
+
+def _half_base(own: Strand, foot: complex, others: Sequence[Strand]) -> float:
+    """Half the width of a support: less where another strand runs close by."""
+    gaps = [3.0 + _BESIDE]
+    for strand in others:
+        reach = [((end - foot) * own.way.conjugate()) for end in (strand.start, strand.end)]
+        if strand is not own and min(reach[0].real, reach[1].real) < 0 < max(reach[0].real, reach[1].real):
+            gaps.append(min(abs(end.imag) for end in reach))
+    return max(min(gaps) - _BESIDE, _NARROW)

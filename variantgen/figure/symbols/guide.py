@@ -8,42 +8,57 @@ from itertools import pairwise
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import Layer
 from variantgen.figure.sketch import HINGE
-from variantgen.figure.symbols._hoist import HALF_LOAD
 from variantgen.mechanism.joints.guide import Guide
+from variantgen.mechanism.joints.rope import Rope
+from variantgen.mechanism.rows import Placement
 
+HALF_LOAD = 3.0  # half the side of a load on a rope, u
 _HALF_LENGTH, _HALF_HEIGHT, _OVERHANG = 2.9, 1.7, 5.5
 _HALF_BEARING = 1.1
 _BESIDE = 6.4  # from the middle of a bearing to a point with a name, u
+UPRIGHT = 1e-3  # horizontal part of a direction: less is none
 _ON_ROD = 0.1  # distance from the line of a rod, u
-_UPRIGHT = 1e-6  # cosine of the angle of a vertical line
 
 
 def draw(board: Board, joint: Guide) -> None:
-    """Add the symbol; a load on a rope has a symbol of its own, the end of a ladder needs no block."""
+    """Add the symbol; what hangs on ropes has a symbol of its own, the end of a ladder needs no block."""
     way = complex(board.frame.direction(joint.angle))
-    if joint.point in board.loads and abs(way.real) > _UPRIGHT:
-        _draw_ground(board, joint.point, way, -1j * way * math.copysign(1.0, way.real), HALF_LOAD)
-    if joint.point in board.loads or joint.point in board.form.figure.bare:
+    if joint.point in board.form.figure.bare or _hangs(board, joint.point, way):
         return
     sketch = board.sketch
     centre = sketch.at[joint.point]
     if joint.point in board.form.figure.stems:
         _draw_bearing(board, joint.point, way)
         return
-    side = _free_side(board, joint.point, way)
-    corners = [
-        centre + x * _HALF_LENGTH * way + y * _HALF_HEIGHT * side for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))
-    ]
-    _draw_ground(board, joint.point, way, side, _HALF_HEIGHT)
-    if board.is_translated(joint.point):
-        # Fixed to its rod: the rod is seen to run through the block, and nothing can turn.
+    is_load = joint.point in board.loads
+    side = -1j * way * math.copysign(1.0, way.real) if is_load else ground_side(board, joint)
+    long, high = (HALF_LOAD, HALF_LOAD) if is_load else (_HALF_LENGTH, _HALF_HEIGHT)
+    corners = [centre + x * long * way + y * high * side for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+    _draw_ground(board, joint.point, way, side, high)
+    if board.is_translated(joint.point) or not board.is_linked(joint.point):
+        # Fixed to its rod, which is seen to run through the block, or without one: there is no pin.
         sketch.path(corners, Layer.DISC, closed=True, fill="paper")
     else:
         sketch.path(corners, Layer.SLIDER, closed=True, fill="paper")
         sketch.circle(centre, HINGE, Layer.HINGE, fill="paper")
     for taken in (way, -way, side):
         sketch.occupy(joint.point, taken)
-    board.sized(joint.point, _HALF_LENGTH, box=corners)
+    board.sized(joint.point, long, box=corners)
+
+
+def _hangs(board: Board, point: str, way: complex) -> bool:
+    """Whether a point that moves upright is held by ropes alone: a load, or a pulley between upright strands."""
+    if abs(way.real) > UPRIGHT or (board.is_linked(point) and not board.is_disc(point)):
+        return False
+    at = Placement({name: place / board.sketch.scale for name, place in board.sketch.at.items()}, board.frame)
+    rays = [
+        complex(ray)
+        for rope in board.scene.joints
+        if isinstance(rope, Rope)
+        for pair, (ray, _) in zip(pairwise(rope.path), rope.pieces(at), strict=True)
+        if point in (pair[0].point, pair[1].point)
+    ]
+    return point in board.loads or (bool(rays) and all(abs(ray.real) < UPRIGHT for ray in rays))
 
 
 def _draw_ground(board: Board, point: str, way: complex, side: complex, off: float) -> None:
@@ -86,10 +101,11 @@ def _roomier_side(board: Board, point: str, way: complex) -> complex:
     return -side if min(gaps, default=math.inf) < _HALF_LENGTH + 2.5 else side
 
 
-def _free_side(board: Board, point: str, way: complex) -> complex:
-    """The side of the line of motion with fewer links; below or to the right where that does not decide."""
+def ground_side(board: Board, joint: Guide) -> complex:
+    """The side of the line of motion where the ground is: with fewer links, else below or to the right."""
+    way = complex(board.frame.direction(joint.angle))
     left = 1j * way
-    load = sum((left * link.conjugate()).real for link in board.links_at(point))
+    load = sum((left * link.conjugate()).real for link in board.links_at(joint.point))
     if abs(load) > 0.05:
         return left if load < 0 else -left
     return left if left.imag < -1e-9 or (abs(left.imag) <= 1e-9 and left.real > 0) else -left

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Iterator
 from itertools import pairwise
 
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Layer
 from variantgen.figure.sketch import HINGE
 from variantgen.figure.symbols import _hoist
+from variantgen.figure.symbols.guide import HALF_LOAD, UPRIGHT
 from variantgen.mechanism.constructions.tangent import thread_direction
+from variantgen.mechanism.joints.guide import Guide
 from variantgen.mechanism.joints.rope import Bend, Rope
 
 
@@ -44,7 +47,7 @@ def _circle(board: Board, bend: Bend) -> tuple[complex, float, float]:
 def piece_on_paper(board: Board, joint: Rope, number: int) -> tuple[complex, complex]:
     """The ends (u) of a straight piece, from bend ``number`` to the next one."""
     if joint.parallel:
-        strand = _hoist.strands(board, joint)[number]
+        strand = next(strands for rope, strands in _hoist.ropes_with_strands(board) if rope is joint)[number]
         return strand.start, strand.end
     return _straight(board, *joint.path[number : number + 2])[:2]
 
@@ -70,11 +73,20 @@ def _pulley(board: Board, bend: Bend, arriving: complex, leaving: complex) -> No
     board.sized(bend.point, HINGE)
     for taken in (1j * side * arriving, 1j * side * leaving):
         sketch.occupy(bend.point, taken)
-    if bend.fixed:
-        # The bracket holds the pulley from the side towards which the rope does not pull.
-        pull = leaving - arriving
+    if bend.fixed and bend is next(own for own, _ in _passing(board, bend.point)):
+        # One bracket holds the pulley from the side towards which the ropes do not pull.
+        pull = sum(pull for _, pull in _passing(board, bend.point))
         away = -pull / abs(pull) if abs(pull) > 0.2 else -1j * side * arriving
         _support(board, centre, away, radius + _hoist.BRACKET)
+
+
+def _passing(board: Board, point: str) -> Iterator[tuple[Bend, complex]]:
+    """The bends of ropes over a pulley, each with what it pulls by."""
+    for rope in board.scene.joints:
+        if isinstance(rope, Rope) and not rope.parallel:
+            for before, bend, after in zip(rope.path, rope.path[1:], rope.path[2:], strict=False):
+                if bend.point == point:
+                    yield bend, _straight(board, bend, after)[2] - _straight(board, before, bend)[2]
 
 
 def _support(board: Board, centre: complex, away: complex, length: float) -> None:
@@ -90,13 +102,16 @@ def _end(board: Board, joint: Rope, bend: Bend, along: complex) -> None:
     place = sketch.at[bend.point]
     if bend.fixed:
         _hoist.base(board, place, -along)
-    elif bend.point in joint.hanging() and not board.owners(bend.point):
-        # A load hangs straight down or is pulled along its guide: its block stands square to the rope, or on its plane.
-        if bend.point in board.grounds:
-            start, end = board.grounds[bend.point]
-            along = (end - start) / abs(end - start)
-        corners = [place + _hoist.HALF_LOAD * complex(x, y) * along for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+    elif bend.point in board.loads and not _slides(board, bend.point):
+        # The block of a load that hangs stands square to the rope.
+        corners = [place + HALF_LOAD * complex(x, y) * along for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
         sketch.path(corners, Layer.SLIDER, closed=True, fill="paper")
-        board.sized(bend.point, _hoist.HALF_LOAD, box=corners)
+        board.sized(bend.point, HALF_LOAD, box=corners)
         for taken in (along, -along):
             sketch.occupy(bend.point, taken)
+
+
+def _slides(board: Board, point: str) -> bool:
+    """Whether a load is pulled along a slope or the ground, where its guide is drawn."""
+    guides = [joint for joint in board.scene.joints if isinstance(joint, Guide) and joint.point == point]
+    return any(abs(complex(board.frame.direction(guide.angle)).real) > UPRIGHT for guide in guides)

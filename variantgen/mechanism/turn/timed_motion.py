@@ -20,6 +20,7 @@ from variantgen.mechanism.solving.structure import Plan, analyse
 from variantgen.mechanism.turn.polynomials import DEGREE, NODES, SLOPE_AT_NODES, TO_COEFFICIENTS
 
 _COUNTS = (8, 32, 128, 512)  # pieces of the interval
+_MORE, _OF_RADIAN = (2048, 8192), 4  # of a wheel that makes many turns: so many at most of each radian
 _LEFT_OUT = 1e-10  # of the largest: the last two coefficients of a polynomial that leaves nothing out
 _AGREES = 1e-6  # of the largest: a derivative that is the same, but for rounding
 _ALWAYS = 0.9  # of the instants
@@ -78,8 +79,10 @@ class TimedMotion:
         )
         self.parts: list[Pieces] = []
         self.complete = np.zeros(motion.size, dtype=bool)
+        self._turning = np.zeros(motion.size)  # rad, by its fastest body
         left = np.flatnonzero(motion.solved & (self.end > self.start))
-        for count in _COUNTS:
+        for count in (*_COUNTS, *_MORE):
+            left = left[(count <= _COUNTS[-1]) | (_OF_RADIAN * self._turning[left] >= count)]
             chunks = np.array_split(left, max(1, -(-left.size * count * _AT // _ROWS)))
             left = np.concatenate([self._divide(chunk, count) for chunk in chunks])
 
@@ -88,6 +91,8 @@ class TimedMotion:
         if not variants.size:
             return variants
         pieces = self._pieces(variants, count)
+        fastest = [np.abs(rates).reshape(len(variants), -1).max(axis=1) for rates in pieces.motion.omega.values()]
+        self._turning[variants] = np.max(fastest, axis=0, initial=0.0) * self.duration[variants]
         moves = np.all(pieces.motion.solved.reshape(len(variants), -1), axis=1)
         good = moves & _is_resolved(pieces, self.order)
         self.complete[variants[good]] = True

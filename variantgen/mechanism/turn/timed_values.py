@@ -178,6 +178,12 @@ def way_of(timed: TimedMotion, point: str) -> Field:
     return way(timed, lambda motion, _: np.abs(motion.v[point]))
 
 
+def duration(timed: TimedMotion, _: str) -> Field:
+    """The length (s) of the interval, shape (N,)."""
+    found: Field = np.where(timed.complete, timed.duration, np.inf)
+    return found
+
+
 def mean(timed: TimedMotion, speed: Scalar) -> Field:
     """The mean of a magnitude over the interval, shape (N,)."""
     return way(timed, speed) / np.where(timed.complete, timed.duration, 1.0)

@@ -48,7 +48,8 @@ def passage_answer(book: Book, quantity: Quantity) -> Value:
             say_rows(book, passage, of, is_signed=quantity.kind.startswith(ZERO) or quantity.is_turning)
             book.say(f"passage.{_way_to(quantity)}", False, value=answer, number=number, of=turn_name(of))
         else:
-            book.say("passage.return", False, value=answer, number=number)
+            key = "duration" if quantity.kind == "duration" else "return"
+            book.say(f"passage.{key}", False, value=answer, number=number)
     book.values[name] = answer
     return answer
 

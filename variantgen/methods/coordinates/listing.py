@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator
 
 from variantgen.algebra.expression import Expression, Value
 from variantgen.algebra.normal_form import added, signed
-from variantgen.algebra.python_source import enclosed, identifier, number, written
+from variantgen.algebra.python_source import enclosed, identifier, number, written, written_angle
 from variantgen.algebra.values import in_order, parts
 from variantgen.methods.coordinates import listing_results
 from variantgen.methods.coordinates.blocks import CoordinateBlock, given_coordinates
@@ -171,7 +171,7 @@ class _Program:
         """A number, or how it follows from what is defined already."""
         if value.expression is None or self._is_number(value):
             return number(value.exact, value.measure)
-        return written(value.expression, self.names)
+        return (written_angle if value.measure == "angle" else written)(value.expression, self.names)
 
 
 def _paired(rows: list[str]) -> Iterator[str]:

@@ -169,15 +169,17 @@ def corner_name(vertex: str, first: str, second: str) -> Name:
 
 def tidy(number: float) -> float:
     """A number of degrees without the rounding of radians: one that near to a short decimal is that."""
-    if 1e-4 < number * 1e6 % 1.0 < 0.9999:  # most numbers are nowhere near one, which is seen sooner than rounded
+    # Most numbers are whole ones or halves, or nowhere near a short one, which is seen sooner than rounded.
+    if number * 64.0 % 1.0 == 0.0:
+        return number + 0.0
+    if 1e-4 < number * 1e6 % 1.0 < 0.9999:
         return number
-    found = short(number)
-    return found if abs(found - number) < _ROUNDING else number
+    found = round(number, 6)
+    return found + 0.0 if abs(found - number) < _ROUNDING else number
 
 
 def short(number: float) -> float:
     """A number of degrees to six decimals, zero without a sign."""
-    # Whole numbers and halves are what is rounded most, and are seen to be short sooner than rounded.
     return number + 0.0 if number * 64.0 % 1.0 == 0.0 else round(number, 6) + 0.0
 
 

@@ -8,9 +8,7 @@ and once.
 
 from __future__ import annotations
 
-import importlib
-from collections.abc import Callable, Iterable, Sequence
-from functools import cache
+from collections.abc import Iterable, Sequence
 
 from variantgen.algebra.expression import Constant, Expression, Total, Value
 from variantgen.algebra.name import Name
@@ -20,7 +18,7 @@ from variantgen.methods.geometry import trigonometry
 from variantgen.methods.geometry.angle_sums import angle_sum
 from variantgen.methods.geometry.angles import AngleForm, Atom, between, degrees, normal_angle, short
 from variantgen.methods.geometry.legs import Leg, collected
-from variantgen.methods.geometry.located_point import ORIGIN, LocatedPoint, Pair
+from variantgen.methods.geometry.located_point import ORIGIN, LocatedPoint, Pair, derivation
 from variantgen.methods.geometry.position_lines import PositionLines
 from variantgen.methods.geometry.printed_angles import Way, placed_by_angles
 from variantgen.methods.geometry.radii import UnnamedRadii
@@ -33,14 +31,6 @@ __all__ = ["Geometry", "between", "degrees", "normal_angle"]
 _SAME = 1e-7  # degrees within which two directions are one
 _X, _Y = AngleForm(), AngleForm((), 90.0)
 _INLINE = 2  # legs in oblique directions of which a triangle is made; of more, coordinates are taken
-
-
-@cache
-def _derivation(stem: str) -> Callable[..., LocatedPoint]:
-    """How a point is located, by the module of its construction."""
-    found: Callable[..., LocatedPoint]
-    found = importlib.import_module(f"variantgen.methods.geometry.placing.{stem}").Derivation
-    return found
 
 
 class Geometry(PositionLines):
@@ -62,7 +52,7 @@ class Geometry(PositionLines):
         """The point as its construction tells it, whose stem the module has; or by another way."""
         template = self.task.form.points[point]
         stem, fields = way or (template.component.__module__.rpartition(".")[2], template.fields)
-        return _derivation(stem)(self, point, fields)
+        return derivation(stem)(self, point, fields)
 
     # What is known.
 

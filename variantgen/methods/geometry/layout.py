@@ -39,6 +39,7 @@ class Layout:
         self._stated: dict[frozenset[str], Expression] = {}
         self._bases: dict[str, AngleForm] = {}
         self._plain: dict[str, tuple[Leg, ...]] = {}
+        self._bearings: dict[tuple[str, str], float] = {}
         self.printed = {corner: self._printed_angle(*corner) for corner in task.form.figure.found}
 
     def read(self, places: Mapping[str, LocatedPoint]) -> None:
@@ -94,8 +95,7 @@ class Layout:
 
     def _read_angle(self, newest: str, at: str, start: str, end: str, angle: Atom) -> None:
         """The direction of the second side of an angle by that of the first."""
-        points = {at, start, end} - _AXES.keys()
-        if newest not in points or not points <= self.places.keys():
+        if newest not in (at, start, end) or not {at, start, end} - _AXES.keys() <= self.places.keys():
             return
         known = self._side(at, start)
         if known is None and isinstance(angle, Value) and start in self.places[at].neighbours():
@@ -120,7 +120,9 @@ class Layout:
 
     def bearing(self, start: str, end: str) -> float:
         """The direction of a ray as it was solved (degrees)."""
-        return degrees(self.vector(start, end))
+        if (start, end) not in self._bearings:
+            self._bearings[start, end] = degrees(self.vector(start, end))
+        return self._bearings[start, end]
 
     def number(self, form: AngleForm) -> float:
         """The degrees of a sum of angles, between -180 and 180."""

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import importlib
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import cache
 from typing import ClassVar
 
 from variantgen.algebra.expression import Expression, Value
@@ -65,3 +67,11 @@ class LocatedPoint(ABC):
     def coordinates(self) -> Pair | None:
         """Both coordinates, where they are not found by the way from a neighbour."""
         return None
+
+
+@cache
+def derivation(stem: str) -> Callable[..., LocatedPoint]:
+    """How a point is located, by the module of its construction: ``(geometry, point, fields)`` to the located point."""
+    found: Callable[..., LocatedPoint]
+    found = importlib.import_module(f"variantgen.methods.geometry.placing.{stem}").Derivation
+    return found

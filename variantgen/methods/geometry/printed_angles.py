@@ -7,7 +7,6 @@ direction of a link follows from that of its neighbour, a third point of a plate
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from functools import lru_cache
 from typing import Any
 
 from variantgen.families.family import Form
@@ -16,11 +15,10 @@ from variantgen.mechanism.conditions.distance import Distance
 Way = tuple[str, Mapping[str, Any]]  # the module of the room ``placing``, and its fields
 
 
-@lru_cache(maxsize=1000)
-def placed_by_angles(form: Form) -> Mapping[str, Way]:
+def placed_by_angles(form: Form) -> dict[str, Way]:
     """How points that conditions place together follow from those before them, in an order in which they do.
 
-    The same for all variants of a form. Empty where printed angles and given lengths do not suffice for all of them.
+    Empty where printed angles and given lengths do not suffice for all of them.
     """
     found: dict[str, Way] = {}
     waiting = list(form.plan.together)

@@ -59,7 +59,7 @@ class KnownMotion:
     @property
     def open_bodies(self) -> list[str]:
         """Needed bodies whose rate is not known."""
-        needed, turning, still = self.task.needed.bodies, self.book.omega, self.translating
+        needed, turning, still = self.task.needed.bodies, self.book.omega, self.task.translating
         return [body for body in self.scene.bodies if body in needed and body not in turning and body not in still]
 
     def point_path(self, point: str, but: str = "") -> PointPath | None:

@@ -17,6 +17,7 @@ from variantgen.families.family import Form
 from variantgen.families.figure_hints import DiscMark
 from variantgen.families.literal_data import literal_data, literal_radii
 from variantgen.families.parameters.expressions import FamilyExpression
+from variantgen.families.parameters.solved_law import SolvedLaw
 from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import Quantity, motion_order
 from variantgen.mechanism.linkage import Linkage
@@ -44,17 +45,17 @@ class Task:
     asked: tuple[Quantity, ...]
     now: Instant
 
-    @cached_property
+    @property
     def form(self) -> Form:
         """The form of the variant's family."""
         return self.variant.form
 
-    @cached_property
+    @property
     def scene(self) -> Scene:
         """The scene of the variant (numbers in SI)."""
         return self.now.scene
 
-    @cached_property
+    @property
     def order(self) -> int:
         """1 if velocities are enough, 2 if accelerations are asked."""
         return motion_order(self.asked)
@@ -74,7 +75,7 @@ class Task:
         """The plain quantities that the asked ones are, or are made of; none where positions alone are asked."""
         return tuple(dict.fromkeys(source for quantity in self.asked for source in quantity.sources(self.scene)))
 
-    @cached_property
+    @property
     def at(self) -> Placement:
         """Positions in printed units, with the frame."""
         return Placement(self.now.z, self.scene.frame)
@@ -89,7 +90,7 @@ class Task:
         """Positions in SI, as the numbers of the scene are."""
         return Placement({point: z * self.length_unit for point, z in self.now.z.items()}, self.scene.frame)
 
-    @cached_property
+    @property
     def fixed(self) -> frozenset[str]:
         """Points at rest."""
         return self.linkage.resting
@@ -148,7 +149,7 @@ class Task:
         values = self.form.values({name: self.variant.si(name) for name in self.form.parameters})
         return {name: float(value) for name, value in values.items()}
 
-    @cached_property
+    @property
     def length_unit(self) -> float:
         """The printed unit of length in metres."""
         return float(unit(self.variant.family.length_unit).factor)
@@ -227,7 +228,11 @@ class Task:
         An angle is a plain number, or in ``degrees``; ``known`` quantities are not written out.
         """
         if not known:
-            return self._translator.translate(expression, degrees)
+            key = ("expressed", expression, degrees)
+            if key not in self.remembered:
+                self.remembered[key] = self._translator.translate(expression, degrees)
+            found: Expression | None = self.remembered[key]
+            return found
         return replace(self._translator, named=lambda name: known.get(name) or self._named(name)).translate(expression)
 
     def drawn_radius(self, body: str | None, centre: str, exact: float) -> Expression | None:
@@ -241,15 +246,23 @@ class Task:
                 return found
         return None
 
+    def _solved(self, derived: SolvedLaw) -> Value:
+        """The place or the velocity of a law that has been integrated numerically."""
+        name = derived.law.own
+        measure = self.form.laws[name].rate_measure(derived.part)
+        number = float(unit(self.unit_of(measure)).from_si(self.read(derived)))
+        return Value(Name("parameter", name, dots=derived.part), measure, number, Constant(number))
+
     @cached_property
     def _translator(self) -> Translator:
         return Translator(self._named, self.form.derived.get, self.unit_of)
 
     def _named(self, name: str) -> Expression | None:
-        """A parameter as its value, a choice as its number."""
+        """A parameter as its value, a choice as its number, what is integrated numerically as its value too."""
         parameter = self.form.parameters.get(name)
         if parameter is None:
-            return None
+            derived = self.form.derived.get(name)
+            return self._solved(derived) if isinstance(derived, SolvedLaw) else None
         return Constant(float(self.variant.printed[name])) if parameter.unit is None else self.given[name]
 
 

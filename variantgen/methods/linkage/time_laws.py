@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from variantgen.algebra.expression import Expression, Total, Value
+from variantgen.algebra.expression import Expression, Total, Value, Variable
 from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import simplified
 from variantgen.families.family import Form
@@ -24,16 +24,23 @@ def laws(form: Form) -> list[str]:
     return [name for name in form.derived if f"{name}_dot" in form.derived]
 
 
+def places(form: Form) -> list[str]:
+    """Names of the parameters that are places whose velocity is given."""
+    return [name for name, law in form.laws.items() if law.rate is not None and law.rate.is_by_place]
+
+
 def law_behind(task: Task, source: FamilyExpression) -> Expression | None:
-    """The law whose first or second derivative an expression of the family is."""
-    name = _law_of(task.form, source)
-    found = task.expressed(task.form.derived[name]) if name else None
+    """The law whose first or second derivative an expression of the family is; of a place itself."""
+    name = law_of(task.form, source)
+    found = task.expressed(FamilyExpression(name, Variable(name))) if name else None
     return None if found is None else simplified(found)
 
 
 def is_uniformly_accelerated(form: Form, source: FamilyExpression) -> bool:
     """Whether the second derivative of the law behind an expression holds no time."""
-    name = _law_of(form, source)
+    name = law_of(form, source)
+    if name and form.derived[f"{name}_ddot"].names & form.derived.keys():
+        return False  # it depends on the place or the velocity
     used = form.derived[f"{name}_ddot"].names & set(form.parameters) if name else set()
     units = [form.parameters[own].unit for own in used]
     return bool(name) and not any(unit is not None and unit.dimension == _TIME for unit in units)
@@ -48,23 +55,24 @@ def rate_of_law(task: Task, source: FamilyExpression) -> tuple[Value, Expression
     if task.variant.family.folder is not None:
         return None
     suffixes = {"_dot": 1, "_ddot": 2}
-    names = {law + suffix: (law, dots) for law in laws(task.form) for suffix, dots in suffixes.items()}
+    moving = [*laws(task.form), *places(task.form)]
+    names = {law + suffix: (law, dots) for law in moving for suffix, dots in suffixes.items()}
     found = sorted(source.names & names.keys())
     rate = task.expressed(task.form.derived[found[0]]) if len(found) == 1 else None
     if rate is None:
         return None
     (law, dots), rate = names[found[0]], simplified(rate)
-    measure = ("velocity", "acceleration")[dots - 1]
+    measure, scale = (("velocity", task.largest_speed), ("acceleration", task.largest_acceleration))[dots - 1]
     if not task.form.laws[law].is_length:
-        measure = f"angular {measure}"
-    value = Value(Name("parameter", law, dots=dots), measure, rate.number(True), rate)
+        measure, scale = f"angular {measure}", scale / task.size
+    value = Value(Name("parameter", law, dots=dots), measure, rate.number(True), rate, scale)
     by_letter = task.expressed(source, known={found[0]: value})
     return None if by_letter is None else (value, simplified(by_letter))
 
 
-def _law_of(form: Form, source: FamilyExpression) -> str:
-    """The name of the law whose derivative an expression is; empty without one."""
-    return next((name for name in laws(form) if source.names & {f"{name}_dot", f"{name}_ddot"}), "")
+def law_of(form: Form, source: FamilyExpression) -> str:
+    """The name of the law, or the place, whose derivative an expression is; empty without one."""
+    return next((name for name in [*laws(form), *places(form)] if source.names & {f"{name}_dot", f"{name}_ddot"}), "")
 
 
 def angle_law(task: Task, name: str) -> tuple[int, Expression] | None:

@@ -162,6 +162,8 @@ def _multiplied(left: _Part, right: _Part) -> _Part:
 
 
 def _divided(left: _Part, right: _Part) -> _Part:
+    if _is_length(right.shown) and right.shown.number(True) == 1:  # a plain number of the printed unit
+        return left
     if right.degrees and not left.degrees:
         return _Part(left.shown / right.plain())
     return _Part(left.shown / right.shown, left.degrees and not right.degrees)

@@ -7,7 +7,7 @@ from itertools import combinations
 
 from variantgen.algebra.expression import Constant, Value
 from variantgen.methods.geometry.angle_sums import angle_sum, difference, is_short, is_single, valued
-from variantgen.methods.geometry.angles import AngleForm, between, corner_name, short
+from variantgen.methods.geometry.angles import AngleForm, corner_name, short
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Derived, Fact, Share, VectorOf
 from variantgen.variants.printed_data import shown_points
@@ -86,7 +86,8 @@ def _corner(book: Book, form: AngleForm) -> Value | None:
         rays = [p for p in points if p != vertex and abs(geometry.vector(vertex, p)) > geometry.nothing]
         bearings = {point: geometry.bearing(vertex, point) for point in rays}
         for first, second in combinations(rays, 2):
-            if abs(between(bearings[first], bearings[second]) - size) > _SAME:
+            turn = abs(bearings[first] - bearings[second])
+            if abs(min(turn, 360.0 - turn) - size) > _SAME:
                 continue
             if not (geometry.has_direction(vertex, first) and geometry.has_direction(vertex, second)):
                 continue

@@ -22,9 +22,9 @@ from variantgen.mechanism.scene import label
 from variantgen.methods.geometry.geometry import Geometry, degrees, normal_angle
 from variantgen.methods.groups.group import PointPath
 from variantgen.methods.groups.route import Route
-from variantgen.methods.linkage.time_laws import is_uniformly_accelerated, law_behind, rate_of_law
+from variantgen.methods.linkage.time_laws import is_uniformly_accelerated, law_behind, law_of, places, rate_of_law
 from variantgen.methods.solution.book import Book, Known, Rate, resultant
-from variantgen.methods.steps.step import Body, Derived, Fact, Point, Term
+from variantgen.methods.steps.step import Body, Derived, Fact, Point, Segment, Term
 from variantgen.methods.vectors.point_paths import on_path
 from variantgen.methods.vectors.points import sum_up
 
@@ -145,6 +145,8 @@ def amount(book: Book, template: ComponentTemplate, key: str, measure: str) -> V
     expression = unsigned(book.task.expressed(source))
     if isinstance(expression, Value) and expression.measure == measure:  # not the time t, a derivative of t^2 / 2
         name = _name_of(book, template, key)
+        if expression.exact < 0:  # a law that has been integrated goes backwards
+            return book.derive(name, measure, Magnitude(expression))
         if expression.expression is None or name.kind not in _RATES or _is_letter_of_rate(expression):
             return expression
         return book.derive(name, measure, expression.expression)  # n in rpm is no angular velocity
@@ -209,6 +211,15 @@ def _say_law(book: Book, template: ComponentTemplate, source: FamilyExpression) 
     """The law of time of which a given rate is the derivative, if it is one."""
     law = law_behind(book.task, source)
     if law is None:
+        return
+    if by := places(book.task.form):
+        if law_of(book.task.form, source) in by:
+            return
+        place = Name("parameter", by[0])
+        book.say("given.law_by_place", False, place=place, velocity=place._replace(dots=1))
+        return
+    if template.component is Extension:
+        book.say("given.law_d", False, segment=Segment(template.fields["start"], template.fields["end"]))
         return
     point = template.fields.get("point")
     facts: dict[str, Fact] = (

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 from variantgen.algebra.expression import Constant, Expression, Ratio, Total, Value
 from variantgen.algebra.name import Name
@@ -36,7 +37,7 @@ class _Axis:
     along: Term | None
     parts: tuple[Share, ...]
 
-    @property
+    @cached_property
     def total(self) -> float:
         """The sum of the projections."""
         return sum(sign * part.number(True) for sign, part in signed(self.parts))

@@ -11,6 +11,7 @@ from variantgen.families.quantities import Quantity
 from variantgen.families.rate_graphs import grid_of
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.compose import solution
+from variantgen.methods.integration_steps import integration_steps
 from variantgen.methods.linkage.problem import CLOSE, Task, task_of
 from variantgen.methods.solution_options import SolutionOptions
 from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
@@ -81,7 +82,7 @@ def written(task: Task, found: Solution, language: Language, short: bool = False
         (q, (value.shown if found.approximate else value.exact) * q.own_unit(length).size / q.unit(length).size)
         for q, (_, value) in zip(task.asked, found.answers, strict=True)
     ]
-    steps = (*_read_from_graph(task), *found.steps)
+    steps = (*_read_from_graph(task), *integration_steps(task), *found.steps)
     sections = tuple(writer.section(step) for step in steps)
     return SolutionText(
         _plan([writer.text(step.heading) for step in steps]),

@@ -91,7 +91,8 @@ def _end(alt_text: AltText, path: Path, i: int, way: complex) -> str:
         return _rim(alt_text, bend, bend.body, touch)
     if bend.fixed:
         return alt_text.say("rope_anchor", place=_place(alt_text, path, i))
-    if alt_text.owners(bend.point) or (bend.point not in alt_text.board.loads and alt_text.is_shown(bend.point)):
+    is_load = bend.point in alt_text.board.loads
+    if not is_load and (alt_text.owners(bend.point) or alt_text.is_shown(bend.point)):
         return alt_text.say("rope_point", point=alt_text.name(bend.point))
     if alt_text.is_shown(bend.point):
         return alt_text.say("rope_load", point=alt_text.name(bend.point))
