@@ -79,3 +79,26 @@ def test_variants_are_seen_on_which_a_link_lies_across_a_wheel() -> None:
     places = {name: np.array([z, z]) for name, z in draft.z.items()}
     places |= {name: np.array([places[name][0], places[name][0] - 39j]) for name in "CD"}
     assert crossed(draft, places).tolist() == [False, True]  # 60 and 21 cm off the centre; the wheel has up to 22 cm
+
+
+def _with_rack(**places: complex) -> Draft:
+    """The slider E, whose rack ends at F (140 cm right, 40 cm up), and the link CD."""
+    draft = _draft(E=60 + 40j, F=140 + 40j, **places)
+    draft.hint("hidden", "F")
+    draft.bodies |= {"rackE": ["E", "F"], "CD": ["C", "D"]}
+    draft.nouns["rackE"] = "rack"
+    draft.bars += [("E", "F"), ("C", "D")]
+    return draft
+
+
+@pytest.mark.parametrize(("x", "said"), [(145, "CD at the end of a rack"), (155, "")])
+def test_no_link_is_at_the_end_of_a_rack(x: float, said: str) -> None:
+    # 5 and 15 cm beside the end; 6 % of the whole, which is 155 cm wide, are some 9 cm.
+    assert crowded(_with_rack(C=x - 60j, D=x + 70j)) == said
+
+
+def test_variants_are_seen_on_which_a_link_is_at_the_end_of_a_rack() -> None:
+    draft = _with_rack(C=155 - 60j, D=155 + 70j)
+    places = {name: np.array([z, z]) for name, z in draft.z.items()}
+    places |= {name: np.array([places[name][0], places[name][0] - 12]) for name in "CD"}
+    assert crossed(draft, places).tolist() == [False, True]  # 15 and 3 cm beside the end; 4 % of 155 cm are 6 cm

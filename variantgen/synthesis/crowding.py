@@ -19,6 +19,7 @@ _APART, _CLEAR, _BASE = 0.09, 0.06, 1.5  # of hinges; of a hinge from a foreign 
 _FOLDED, _STRAIGHT = 18, 10  # degrees between two links at a common hinge, and from one straight line
 _GUIDE = 0.13  # of the whole: half the line of a fixed guide
 _MARKED = 0.2  # of the whole, between the corners of two marked angles, whose arcs would meet
+_STILL_CLEAR = 0.04  # of the whole: what the end of a rack keeps from foreign links on all draws
 _OFF_WHEEL = 1.4  # radii of a wheel that others keep from its centre
 _MARGIN = 0.2  # of its guide, at each end, that a block keeps clear
 _RATIO = 4.0  # longest over shortest length
@@ -27,7 +28,7 @@ _LONGEST, _LARGEST = 3.2, 300.0  # longer over shorter side of the whole; cm
 
 def crowded(draft: Draft) -> str:
     """What is too near to what, or crosses it; nothing where the figure is clear."""
-    screens = (_near, _on_bars, _on_wheels, _bars, _blocks, _on_guides, _marks, _lengths)
+    screens = (_near, _on_bars, _on_racks, _on_wheels, _bars, _blocks, _on_guides, _marks, _lengths)
     return next(filter(None, (screen(draft) for screen in screens)), "")
 
 
@@ -40,14 +41,16 @@ def too_long(draft: Draft) -> str:
 
 
 def crossed(draft: Draft, z: Mapping[str, NDArray[np.complex128]]) -> NDArray[np.bool_]:
-    """On which of N variants of a draft two links cross that nothing joins, or one a guide or a wheel; ``z`` has its
-    points, in cm, shape (N,) each.
+    """On which of N variants of a draft two links cross that nothing joins, or one a guide or a wheel, or one is at the
+    end of a rack; ``z`` has its points, in cm, shape (N,) each.
     """
     found = np.zeros(next(iter(z.values())).shape, dtype=bool)
     places = np.array([z[name] for name in _visible(draft)])
     size = np.maximum(np.ptp(places.real, axis=0), np.ptp(places.imag, axis=0))
     for point, bar in _near_guides(draft):
         found |= _cross(_with_guide(draft, z, point, size), ("start", "end"), bar)
+    for end, bar in _near_racks(draft):
+        found |= _off(z, end, bar) < _STILL_CLEAR * size
     for wheel in draft.wheels:
         for bar in _off_wheel(draft, wheel):
             found |= _off(z, wheel.centre, bar) < wheel.largest
@@ -78,6 +81,23 @@ def _on_bars(draft: Draft) -> str:
             if _off(draft.z, name, bar) < need * size:
                 return f"{name} on {bar[0]}{bar[1]}"
     return ""
+
+
+def _on_racks(draft: Draft) -> str:
+    """A link at the end of a rack, which no point marks."""
+    size = _size(draft)
+    for end, bar in _near_racks(draft):
+        if _off(draft.z, end, bar) < _CLEAR * size:
+            return f"{bar[0]}{bar[1]} at the end of a rack"
+    return ""
+
+
+def _near_racks(draft: Draft) -> Iterator[tuple[str, Bar]]:
+    """The ends of racks beyond their wheels, and the bars that are not hinged to the slider of the rack."""
+    for body, noun in draft.nouns.items():
+        if noun == "rack":
+            slider, end = draft.bodies[body]
+            yield from ((end, bar) for bar in draft.bars if slider not in bar)
 
 
 def _on_wheels(draft: Draft) -> str:
