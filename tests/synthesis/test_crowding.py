@@ -81,6 +81,16 @@ def test_variants_are_seen_on_which_a_link_lies_across_a_wheel() -> None:
     assert crossed(draft, places).tolist() == [False, True]  # 60 and 21 cm off the centre; the wheel has up to 22 cm
 
 
+def test_variants_are_seen_on_which_a_link_touches_the_rim_of_a_wheel() -> None:
+    draft = _draft(O1=140 + 0j, C=100 + 60j, D=180 + 60j)
+    draft.wheel("O1", draft.radius("r", 20))
+    draft.bars += [("O", "O1"), ("C", "D")]
+    places = {name: np.array([z, z]) for name, z in draft.z.items()}
+    places |= {name: np.array([places[name][0] - 33j, places[name][0] - 36j]) for name in "CD"}
+    # 27 and 24 cm off the centre; the wheel has up to 22 cm, and 2 % of 180 cm are 3.6 cm.
+    assert crossed(draft, places).tolist() == [False, True]
+
+
 def _with_rack(**places: complex) -> Draft:
     """The slider E, whose rack ends at F (140 cm right, 40 cm up), and the link CD."""
     draft = _draft(E=60 + 40j, F=140 + 40j, **places)

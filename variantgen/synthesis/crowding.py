@@ -19,7 +19,8 @@ _APART, _CLEAR, _BASE = 0.09, 0.06, 1.5  # of hinges; of a hinge from a foreign 
 _FOLDED, _STRAIGHT = 18, 10  # degrees between two links at a common hinge, and from one straight line
 _GUIDE = 0.13  # of the whole: half the line of a fixed guide
 _MARKED = 0.2  # of the whole, between the corners of two marked angles, whose arcs would meet
-_STILL_CLEAR = 0.04  # of the whole: what the end of a rack keeps from foreign links on all draws
+# Of the whole: what the end of a rack and the rim of a wheel keep from foreign links on all draws.
+_STILL_CLEAR, _OFF_RIM = 0.04, 0.02
 _OFF_WHEEL = 1.4  # radii of a wheel that others keep from its centre
 _MARGIN = 0.2  # of its guide, at each end, that a block keeps clear
 _RATIO = 4.0  # longest over shortest length
@@ -53,7 +54,7 @@ def crossed(draft: Draft, z: Mapping[str, NDArray[np.complex128]]) -> NDArray[np
         found |= _off(z, end, bar) < _STILL_CLEAR * size
     for wheel in draft.wheels:
         for bar in _off_wheel(draft, wheel):
-            found |= _off(z, wheel.centre, bar) < wheel.largest
+            found |= _off(z, wheel.centre, bar) < wheel.largest + _OFF_RIM * size
     for one, other in combinations(draft.bars, 2):
         if not _joined(draft, one, other):
             found |= _cross(z, one, other)
