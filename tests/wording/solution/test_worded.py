@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
-from variantgen.figure.views import accelerations
+from variantgen.figure.views import accelerations, velocities
 from variantgen.methods.solution_options import SolutionOptions
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.variant import Variant, solve_variants
@@ -72,3 +73,32 @@ def test_the_acceleration_centre_of_a_solution_is_in_its_figure_though_it_is_not
 def test_a_contact_at_rest_has_the_letter_of_the_velocity_centre() -> None:
     _, text = solved("planetary_train", "two_planets", 1)
     assert "the pitch point P_2 is its instantaneous centre" in sentences(text)
+
+
+def test_the_centre_of_the_only_link_that_turns_freely_is_p_in_the_text_as_in_the_figure(tmp_path: Path) -> None:
+    # A rack on the slider B is a body too, but has no velocity centre.
+    (path := tmp_path / "rack.toml").write_text("""
+length_unit = "cm"
+ask = ["v_B"]
+[points]
+O = { coordinates = { x = 0, y = 0 } }
+A = { coordinates = { x = 12, y = 16 } }
+B = { coordinates = { x = 60, y = 0 } }
+E = { coordinates = { x = 90, y = 0 } }
+[bodies]
+OA = ["O", "A"]
+AB = ["A", "B"]
+rackB = ["B", "E"]
+[[joints]]
+pivot = { point = "O" }
+[[joints]]
+guide = { point = "B" }
+[[joints]]
+translation = { body = "rackB" }
+[[drivers]]
+rotation = { body = "OA", omega = 2 }
+""")
+    variant, text = solved(str(path), "", 0, "velocity_centre")
+    assert "instantaneous centre P." in sentences(text)
+    drawing = velocities.draw(variant, solve_variants([variant], 1), 0, asked_quantities(variant), EN)
+    assert "P" in [to_plain(label.formula) for label in drawing.labels]

@@ -119,7 +119,8 @@ def _centres(task: Task) -> dict[str, Symbol]:
     """Letters of velocity centres; they must not be those of points that the figure shows elsewhere."""
     form = task.form
     names = {body: form.symbols.get(body, body) for body in form.bodies}
-    plane = {body: name for body, name in names.items() if not task.fixed & set(form.bodies[body])}
+    turning = {body: name for body, name in names.items() if body not in task.linkage.translating}
+    plane = {body: name for body, name in turning.items() if not task.fixed & set(form.bodies[body])}
     now = task.now
     centres = [now.z[m[0]] + 1j * now.v[m[0]] / now.omega[b] for b in plane if (m := form.bodies[b]) and now.omega[b]]
     # A named point that is such a centre (the contact of a wheel) bears the letter already.
