@@ -70,7 +70,7 @@ _FAR_RINGS = np.array([4.0, 6.5, 9.0, 12.0, 16.0, 21.0])
 _AS_MINUS = np.where(_FAR_WAYS.real > math.cos(math.radians(20)), 15.0, 0.0)
 _AS_SHAFT, _NEARLY_AHEAD = 15.0, math.cos(math.radians(20))  # a leader that goes on past a head reads as its shaft
 _NOT_AT_ANCHOR = 2.0  # cost of a leader that ends at a further place
-_ON_SHAFT = 0.6  # where such a place is on an arrow
+_ON_SHAFT = 0.5  # where such a place is on an arrow
 _PARTS = np.array([0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74])
 # Beside an arrow: distances, both sides of each part; before its head. The farthest are for want of any other place: a
 # leader is better.
