@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
-from typing import Any
+import json
 
-from variantgen.outputs.typst.formula_lines import COLUMN, in_lines
+import typst
+
+from variantgen.outputs.typst.formula_lines import COLUMN, Row, in_lines
 from variantgen.outputs.typst.markup import Piece, piece
-from variantgen.wording.formula import Fraction, Number, Symbol
+from variantgen.outputs.typst.typesetter import typesetter
+from variantgen.wording.formula import Dotted, Fraction, Number, Root, Symbol
 
 
 def digits(count: int) -> Piece:
     return piece(Number("8" * count))
 
 
-def shape(row: dict[str, Any]) -> list[tuple[float, int]]:
+def shape(row: Row) -> list[tuple[float, int]]:
     """Indent and number of pieces of each line."""
-    return [(indent, sum(bool(markup) for _, _, markup in items)) for indent, _, _, _, items in row["lines"]]
+    return [(line.indent, sum(bool(markup) for _, _, markup in line.items)) for line in row.lines]
 
 
 def test_the_column_is_as_wide_as_the_template_says() -> None:
@@ -24,12 +27,12 @@ def test_the_column_is_as_wide_as_the_template_says() -> None:
 
 def test_what_has_room_is_on_one_line() -> None:
     found = in_lines([[("", digits(10)), ("=", digits(10))], [("", digits(10))]], ".")
-    assert not found["wide"]
+    assert not found.wide
     assert shape(found) == [(1.4, 3)]
-    ((_, scale, _, _, items),) = found["lines"]
-    assert scale == 1
+    (line,) = found.lines
+    assert line.scale == 1
     # 5 em, = with its space, 5 em, the mark; the next formula is 1.6 em farther on.
-    assert [(gap, sign) for gap, sign, _ in items] == [(0, ""), (0.25, "="), (0, ";"), (1.6, ""), (0, ".")]
+    assert [(gap, sign) for gap, sign, _ in line.items] == [(0, ""), (0.25, "="), (0, ";"), (1.6, ""), (0, ".")]
 
 
 def test_a_row_is_broken_between_formulas_and_a_long_formula_before_its_signs() -> None:
@@ -46,18 +49,63 @@ def test_a_row_is_broken_between_formulas_and_a_long_formula_before_its_signs() 
 
 def test_what_is_too_wide_is_smaller_or_takes_the_page() -> None:
     # 26 em in 25.96 - 1.4 em, with a mark: 0.93 of its size. 40 em would have to be 0.61.
-    (line,) = (tight := in_lines([[("", digits(52))]], "."))["lines"]
-    assert not tight["wide"]
-    assert abs(line[1] - (25.96 - 0.05 - 1.4) / 26.278) < 0.005
+    (line,) = (tight := in_lines([[("", digits(52))]], ".")).lines
+    assert not tight.wide
+    assert abs(line.scale - (25.96 - 0.05 - 1.4) / 26.278) < 0.005
     broad = in_lines([[("", digits(80))]], ".")
-    assert broad["wide"]
-    assert broad["lines"][0][1] == 1
+    assert broad.wide
+    assert broad.lines[0].scale == 1
 
 
 def test_lines_with_fractions_have_the_room_of_their_ink() -> None:
-    flat = in_lines([[("", piece(Symbol("x")))]], ".")["lines"][0]
-    tall = in_lines([[("", piece(Fraction(Number("1"), Number("2"))))]], ".")["lines"][0]
-    assert flat[2:4] == [0, 0]
+    flat = in_lines([[("", piece(Symbol("x")))]], ".").lines[0]
+    tall = in_lines([[("", piece(Fraction(Number("1"), Number("2"))))]], ".").lines[0]
+    assert (flat.bottom, flat.top) == (0, 0)
     # The digits stand 0.677 em above and 0.686 em below the line; they are 0.67 em high.
-    assert abs(tall[2] + 0.69) < 0.03
-    assert abs(tall[3] - 1.34) < 0.03
+    assert abs(tall.bottom + 0.69) < 0.03
+    assert abs(tall.top - 1.34) < 0.03
+
+
+def test_documents_with_tags_have_the_markup_of_pieces_and_others_their_letters() -> None:
+    (line,) = in_lines([[("", piece(Symbol("x"))), ("=", digits(2))]], ".").lines
+    # What follows is a quarter of an em away, on both sides of the sign: a space that the font has.
+    assert line.data(letters=False)[-1] == (("x",), 0.25, "=", 0.25, (str(digits(2)),), ".")
+    assert line.data(letters=True)[-1] == ("\N{MATHEMATICAL ITALIC SMALL X}\u2005=\u200588.",)
+
+
+def test_the_height_of_a_row_is_known_where_all_of_it_is_set() -> None:
+    row = in_lines([[("", digits(20)), ("=", digits(20))], [("", digits(10))]], ".")
+    # Two lines of capitals, 0.683 em high, with 0.64 em between them.
+    assert abs(row.data(letters=True)["high"] - (2 * 0.683 + 0.64)) < 1e-9
+    assert row.data(letters=False)["high"] < 0
+    unknown = in_lines([[("", piece(Dotted(Symbol("x"), 1)))]], ".")
+    assert unknown.data(letters=True)["high"] < 0
+
+
+def test_known_heights_are_those_that_the_engine_measures() -> None:
+    half = piece(Fraction(Number("1"), Number("2")))
+    rows = [
+        in_lines([[("", digits(5)), ("=", digits(5))]], "."),
+        in_lines([[("", digits(20)), ("=", half)], [("", digits(20)), ("=", half)]], "."),
+        in_lines([[("", digits(52))]], "."),
+        in_lines([[("", piece(Root(Fraction(Number("1"), Number("2")))))]], "."),
+    ]
+    assert [len(row.lines) for row in rows] == [1, 2, 1, 1]
+    told = [row.data(letters=True) for row in rows]
+    with typesetter() as engine:
+        (engine.root / "rows.json").write_text(json.dumps({"rows": told}), "utf-8")
+        (engine.root / "heights-of-rows.typ").write_text(
+            '#import "solution.typ": column, em, formulas\n#import "common.typ": document-style\n'
+            '#show: document-style.with("en")\n#set text(size: em)\n'
+            '#context [#metadata(formulas(json("rows.json"), false).map(row => '
+            "measure(block(width: column, row.body)).height / em))<found>]\n",
+            "utf-8",
+        )
+        measured = json.loads(
+            typst.query(
+                engine.root / "heights-of-rows.typ", "<found>", field="value", one=True, root=engine.root,
+                ignore_system_fonts=True,
+            )
+        )  # fmt: skip
+    for row, high in zip(told, measured, strict=True):
+        assert abs(row["high"] - high) < 2e-3

@@ -116,7 +116,7 @@ def pages() -> list[list[Glyph]]:
     for page in made:
         root = ET.fromstring(page)
         outlines = {f"#{symbol.attrib['id']}": symbol[0].attrib["d"] for symbol in root.iter(f"{SVG}symbol")}
-        found.append([(outlines[name], at) for name, at in glyphs(root)])
+        found.append([(outlines[name], at) for name, at in glyphs(root) if outlines.get(name)])  # no spaces
     return found
 
 

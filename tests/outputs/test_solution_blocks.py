@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from variantgen.outputs.documents.solution_blocks import blocks_data
+from variantgen.outputs.typst.formula_lines import Row
 from variantgen.outputs.typst.writing import TYPST
 from variantgen.wording.formula import Index, Measured, Number, Product, Sum, Symbol, UnitText
 from variantgen.wording.solution.document import (
@@ -27,12 +28,12 @@ def typst_blocks(blocks: Sequence[Block]) -> list[dict[str, Any]]:
     return blocks_data(blocks, TYPST)
 
 
-def items(row: dict[str, Any]) -> list[list[str]]:
+def items(row: Row) -> list[tuple[str, str]]:
     """Signs and markup of a row, in all of its lines; marks that end a formula have no markup."""
-    return [item[1:] for line in row["lines"] for item in line[-1]]
+    return [(sign, str(piece or "")) for line in row.lines for _, sign, piece in line.items]
 
 
-def signs(row: dict[str, Any]) -> list[str]:
+def signs(row: Row) -> list[str]:
     return [sign for sign, markup in items(row) if markup]
 
 
@@ -40,7 +41,7 @@ def test_short_formulas_share_a_row_and_a_long_one_has_its_own() -> None:
     long = FormulaLine((("", X), ("=", WIDE), ("=", WIDE)))
     (data,) = typst_blocks([FormulaLines((SHORT, SHORT, long, SHORT))])
     assert [signs(row).count("") for row in data["rows"]] == [2, 1, 1], "formulas"
-    assert items(data["rows"][0])[:3] == [["", "x_(A)"], ["=", '"5"'], [";", ""]]
+    assert items(data["rows"][0])[:3] == [("", "x_(A)"), ("=", '"5"'), (";", "")]
 
 
 def test_a_long_sum_may_be_broken_before_each_term() -> None:

@@ -73,14 +73,17 @@ def test_figures_are_smaller_where_that_saves_a_nearly_empty_page() -> None:
 
 
 def test_the_measured_heights_are_those_of_the_parts() -> None:
-    units = [(4, 4, False, [1]), (4, 4, True, [])]
+    # A part is the space above and below it and its height, which is measured where it is negative.
+    units = [(False, [1], [(4, 2, -1), (3, 5, 10.5)]), (True, [], [(6, 4, -1)])]
     measured = {
         "heights": [20, 10, 8, 30, 40, 5, 6],
         "problems": [{"units": units, "figures": [(50, 0.5, 0.4), (60, 1, 1)]}],
     }
     head, (problem,) = contents_of(measured)
     assert (head, problem.headings) == (20, (10, 8))
-    assert [(block.high, block.wide) for block in problem.units] == [(30, False), (40, True)]
+    # 30 are measured, 3 are above the second part, whose 10.5 are known.
+    assert [(block.high, block.wide) for block in problem.units] == [(43.5, False), (40, True)]
+    assert [(block.above, block.below, block.parts) for block in problem.units] == [(4, 5, (0, 33)), (6, 4, (0,))]
     assert problem.beside.high == 50 * 0.5 + 1.6 + 5
     assert [own.high for own in problem.units[0].figures] == [60 + 1.6 + 6]
     assert not is_too_high([problem])

@@ -13,8 +13,9 @@ from variantgen.families.asking import read_ask
 from variantgen.families.reading.files import FAMILY
 from variantgen.families.reading.load import load_family
 from variantgen.synthesis.chance import Chance
-from variantgen.synthesis.draft import LayoutError
+from variantgen.synthesis.draft import Draft, LayoutError
 from variantgen.synthesis.layout import lay_out
+from variantgen.synthesis.statement_text import statement_text
 from variantgen.synthesis.structures import parse_code
 from variantgen.variants.variant import Variant, solve_variants
 
@@ -51,9 +52,30 @@ def test_the_answers_follow_from_the_sheet(code: str, tmp_path: Path) -> None:
     ],
 )
 def test_lengths_say_where_the_end_of_a_yoke_is_where_that_matters(code: str, told: bool) -> None:
+    found = _drafts(code)
+    assert found
+    assert all(({"AC", "CB"} <= draft.data.keys()) is told for draft in found)
+
+
+def _drafts(code: str) -> list[Draft]:
     found = []
     for seed in range(12):
         with suppress(LayoutError):
             found.append(lay_out(parse_code(code), Chance("told", seed)))
-    assert found
-    assert all(({"AC", "CB"} <= draft.data.keys()) is told for draft in found)
+    return found
+
+
+def test_statements_are_worded_in_two_ways_one_all_through() -> None:
+    told = [statement_text(draft, "en") for draft in _drafts("RRR01-RRP20")]
+    ways = {("are fixed pins" in text, " connects " in text) for text in told}
+    assert ways == {(True, True), (False, False)}
+
+
+def test_what_carries_two_rods_is_no_single_pin() -> None:
+    """Arms of the two groups of a pin in two guides turn against each other: a slider and a sleeve hinged to it."""
+    for draft in _drafts("PRP01-RRR23"):
+        english, russian = (statement_text(draft, language) for language in ("en", "ru"))
+        assert "is pinned to a sleeve" in english and "fixed to the slider" in english
+        assert "fixed to the sleeve" in english
+        assert "с муфтой" in russian and "К муфте" in russian and "палец" not in russian.lower()
+    assert all("sleeve" not in statement_text(draft, "en") for draft in _drafts("PRP01-RRR12"))

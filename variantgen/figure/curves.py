@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from variantgen.figure.drawing import Layer, Line, Path, Strokes
+from variantgen.figure.drawing import Label, Layer, Line, Path, Strokes
 
 Step = tuple[str, tuple[complex, ...]]
 
@@ -31,6 +31,17 @@ def curves(lines: Iterable[Line]) -> list[Curve]:
         fill, dash = ("", "") if isinstance(line, Strokes) else (line.fill, line.dash)
         found.setdefault((line.layer, line.weight, fill, dash), []).extend(_steps(line))
     return [Curve(*style, tuple(steps)) for style, steps in found.items()]
+
+
+def papers(labels: Iterable[Label]) -> list[Curve]:
+    """The paper behind labels: a curve for each kind of it."""
+    found: dict[str, list[Step]] = {}
+    for label in labels:
+        width, height = (0.5 * side + AROUND for side in label.size)
+        corners = (complex(-width, -height), complex(width, -height), complex(width, height), complex(-width, height))
+        steps: list[Step] = [("L" if i else "M", (label.at + corner,)) for i, corner in enumerate(corners)]
+        found.setdefault(label.paper, []).extend([*steps, ("Z", ())])
+    return [Curve(Layer.LABEL, 0.0, fill, "", tuple(steps)) for fill, steps in found.items()]
 
 
 def _steps(line: Line) -> list[Step]:

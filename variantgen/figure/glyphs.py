@@ -76,6 +76,11 @@ def has_glyph(name: str) -> bool:
     return name in _rows()
 
 
+def glyph_names(kind: str) -> list[str]:
+    """All glyphs of a kind."""
+    return [name for name in _rows() if name[1] == kind]
+
+
 @cache
 def glyph(name: str, scale: float = 1.0) -> Glyph:
     """A glyph by name: level (0, 1, 2), ``i`` (of a formula) or ``u`` (of a word), the letter. KeyError if missing.

@@ -6,7 +6,9 @@ The constants are those of the OpenType math table of New Computer Modern Math. 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import replace
+from functools import cache, lru_cache
+from typing import NamedTuple
 
 from variantgen.figure.glyphs import Glyph, glyph, has_glyph, kerning
 from variantgen.wording.formula import GREEK, Index, letters
@@ -17,19 +19,17 @@ _POWER_BOTTOM = 0.344  # a power over an index is raised alone until its ink is 
 WORD_SPACE = 0.331
 INDEX = 0.7  # size of an index in that of its letter
 SCALE = (1.0, INDEX, 0.5)  # of the sizes of formula, index, index of an index
-_UNKNOWN = "0u°"  # stands for a letter that the table does not have
+UNKNOWN = "0u"  # the name of what stands for a letter that the table does not have: a degree sign
 
 
-@dataclass(frozen=True)
-class PlacedGlyph:
+class PlacedGlyph(NamedTuple):
     """A glyph with the place of its origin (em, baseline of the formula at 0)."""
 
     glyph: Glyph
     at: complex
 
 
-@dataclass(frozen=True)
-class Bar:
+class Bar(NamedTuple):
     """A line to the right: of a fraction, or above what stands under a root. ``at`` is the middle of its start (em)."""
 
     at: complex
@@ -60,14 +60,14 @@ class Run:
     def bottom(self) -> float:
         """The lowest ink."""
         return min(
-            [p.at.imag + p.glyph.bottom for p in self.glyphs] + [b.at.imag - THICKNESS / 2 for b in self.bars],
+            [at.imag + glyph.bottom for glyph, at in self.glyphs] + [at.imag - THICKNESS / 2 for at, _ in self.bars],
             default=0.0,
         )
 
     @property
     def top(self) -> float:
         """The highest ink, and the room that a root has above it."""
-        tops = [p.at.imag + p.glyph.top for p in self.glyphs] + [b.at.imag + THICKNESS / 2 for b in self.bars]
+        tops = [at.imag + glyph.top for glyph, at in self.glyphs] + [at.imag + THICKNESS / 2 for at, _ in self.bars]
         return max([*tops, self._highest] if self._highest else tops, default=0.0)
 
     def take_room(self, top: float) -> None:
@@ -76,8 +76,8 @@ class Run:
 
     def put(self, other: Run, at: complex) -> None:
         """Set what another run consists of at a place; the row does not grow."""
-        self.glyphs += [PlacedGlyph(p.glyph, p.at + at) for p in other.glyphs]
-        self.bars += [Bar(b.at + at, b.width) for b in other.bars]
+        self.glyphs += [PlacedGlyph(glyph, own + at) for glyph, own in other.glyphs]
+        self.bars += [Bar(own + at, width) for own, width in other.bars]
         if other._highest:
             self.take_room(other._highest + at.imag)
 
@@ -89,26 +89,17 @@ class Run:
 
     def add(self, letter: str, level: int) -> None:
         """Set one letter of a formula (italic, Greek, a digit, a mark) at a level."""
-        found = next((n for n in (f"{level}i{letter}", f"0i{letter}") if has_glyph(n)), "")
-        self._put(glyph(found) if found else _upright(letter, level))
+        found = _formula_letter(letter, level)
+        self.glyphs.append(PlacedGlyph(found, complex(self.x, 0.0)))
+        self.index_x = self.x + found.index_at
+        self.x += found.width
 
     def words(self, text: str, level: int = 0) -> None:
-        """Set upright text. The engine takes a number of nothing but digits and points for a formula."""
-        if all(letter in "0123456789." for letter in text):
-            for letter in text:
-                self.add(letter, level)
-            return
-        for before, letter in zip(" " + text, text, strict=False):
-            self.x += SCALE[level] * kerning(before, letter)
-            if letter == " ":
-                self.x += WORD_SPACE * SCALE[level]
-            else:
-                self._put(_upright(letter, level))
-
-    def _put(self, letter: Glyph) -> None:
-        self.glyphs.append(PlacedGlyph(letter, complex(self.x, 0.0)))
-        self.index_x = self.x + letter.index_at
-        self.x += letter.width
+        """Set upright text."""
+        letters, index_x, width = _words(text, level)
+        self.glyphs += [PlacedGlyph(glyph, complex(self.x + x, 0.0)) for glyph, x in letters]
+        self.index_x = self.x + index_x
+        self.x += width
 
     def mark(self, right: float) -> None:
         """Set the arrow of a vector: a mark to the left of where it begins."""
@@ -136,10 +127,38 @@ class Run:
         self.x = self.index_x = end
 
 
+@lru_cache(maxsize=10_000)
+def _words(text: str, level: int) -> tuple[tuple[tuple[Glyph, float], ...], float, float]:
+    """The letters of upright text with their places, where an index begins, the width.
+
+    The engine takes a number of nothing but digits and points for a formula.
+    """
+    formula = all(letter in "0123456789." for letter in text)
+    found: list[tuple[Glyph, float]] = []
+    x = index_x = 0.0
+    for before, letter in zip(" " + text, text, strict=False):
+        x += SCALE[level] * kerning(before, letter)
+        if letter == " " and not formula:
+            x += WORD_SPACE * SCALE[level]
+            continue
+        placed = _formula_letter(letter, level) if formula else _upright(letter, level)
+        found.append((placed, x))
+        index_x = x + placed.index_at
+        x += placed.width
+    return tuple(found), index_x, x
+
+
+@cache
+def _formula_letter(letter: str, level: int) -> Glyph:
+    found = next((n for n in (f"{level}i{letter}", f"0i{letter}") if has_glyph(n)), "")
+    return glyph(found) if found else _upright(letter, level)
+
+
+@cache
 def _upright(letter: str, level: int) -> Glyph:
     """A letter of a word: not cut for its size, but made smaller."""
     name = f"0u{letter}"
-    return glyph(name if has_glyph(name) else _UNKNOWN, SCALE[level])
+    return glyph(name, SCALE[level]) if has_glyph(name) else replace(glyph("0u°", SCALE[level]), name=UNKNOWN)
 
 
 def set_name(run: Run, name: str, level: int) -> None:

@@ -104,9 +104,12 @@ def engine_places(node: ET.Element, shift: complex, flipped: bool) -> list[compl
     return found
 
 
-def test_the_typeset_figure_has_the_same_places(drawn: Picture) -> None:
+@pytest.mark.parametrize("letters", [False, True], ids=["equations", "letters in a line"])
+def test_the_typeset_figure_has_the_same_places(drawn: Picture, letters: bool) -> None:
     drawing = drawn.drawing
     data = figure_data(drawing)
+    data["labels"] = data["labels"].data(letters)
+    assert bool(data["labels"]["markup"]) != letters
     page = '#import "figure.typ": draw-figure\n#import "common.typ": *\n'
     page += "#set page(width: auto, height: auto, margin: 0pt)\n"
     page += '#show: document-style.with("ru")\n#draw-figure(json(inputs.data).figure, 1000pt, 1pt)\n'
@@ -232,7 +235,8 @@ def test_dashes_and_pens_are_the_same_everywhere(width: float | None) -> None:
     ]
     pens = {name: point * float(x) for name, x in re.findall(r"(\w+)/.style={line width=([\d.]+)pt}", source)}
     from_tikz = [(pens["fine"], lengths[0]), (pens["medium"], lengths[1])]
-    from_engine = [(unit * weight, [unit * x for x in dash]) for weight, _, dash, *_ in figure_data(DASHED)["curves"]]
+    drawn = [(weight, dash) for weight, _, dash, *_ in figure_data(DASHED)["curves"] if weight]
+    from_engine = [(unit * weight, [unit * x for x in dash]) for weight, dash in drawn]
     for found, near_by in ((from_svg, 1e-3), (from_mpl, 1e-6), (from_tikz, 0.02), (from_engine, 1e-9)):
         assert len(found) == 2
         for (pen, dashes), (wanted_pen, wanted_dashes) in zip(found, wanted, strict=True):
@@ -248,6 +252,12 @@ def test_paper_lies_behind_each_label() -> None:
     box = [float(rect.attrib[key]) for key in ("x", "y", "width", "height")]
     low = label.at - complex(width, height) / 2
     assert box == pytest.approx([low.real, DASHED.height - low.imag - height, width, height], abs=0.011)
+    (*_, (weight, fill, _, path)) = figure_data(DASHED)["curves"]
+    assert (weight, fill) == (0, "paper")
+    corners = [complex(int(x), int(y)) / 100 for x, y in re.findall(r"(-?\d+) (-?\d+)", path)]
+    top = DASHED.height - low.imag - height
+    wanted = [complex(x, y) for y in (top, top + height) for x in (low.real, low.real + width)]
+    assert sorted(map(abs, corners)) == pytest.approx(sorted(map(abs, wanted)), abs=0.011)
     (paper,) = [p for p in mpl.figure(DASHED).axes[0].patches if isinstance(p, Rectangle)]
     assert (*paper.get_xy(), paper.get_width(), paper.get_height()) == pytest.approx(
         (low.real, low.imag, width, height)

@@ -70,7 +70,7 @@ def draw_body_figure(
     touching = _contacts(subject, now, named, body, kind) if order == 1 else {}
     if kind == "contacts":
         moving = {name: vector for name, vector in moving.items() if name in {c.centre for c in touching.values()}}
-    if not moving and not touching:
+    if not moving and not any(contact.velocity for contact in touching.values()):
         raise InputError(Problem("no point of the body moves", key="view", value=body))
     make = partial(BodyFigure, subject, named, now, body, order, moving, touching)
     return with_room(lambda room: first_roomy(_tries(partial(make, room), kind)))
@@ -82,7 +82,7 @@ def _contacts(subject: FigureSubject, now: Instant, named: Vectors, body: str, k
         return {}
     found = contact_points(named.task, now, subject.mechanism.shown, body)
     fastest = max(abs(vector) for vector in now.v.values())
-    still = {name for name, contact in found.items() if abs(contact.velocity) < _NOTHING * fastest}
+    still = {name for name, contact in found.items() if abs(contact.velocity) <= _NOTHING * fastest}
     return {
         name: replace(contact, velocity=0j) if name in still else contact
         for name, contact in found.items()

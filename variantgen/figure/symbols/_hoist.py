@@ -78,6 +78,7 @@ def _name_at_rest(board: Board, joint: Rope, pieces: Sequence[Strand], sheaves: 
 
 
 def ropes_with_strands(board: Board) -> Iterator[tuple[Rope, list[Strand]]]:
+    """Each parallel rope with its straight pieces."""
     return zip(parallel_ropes(board), all_strands(board), strict=True)
 
 
@@ -194,8 +195,8 @@ def _hang(board: Board, joint: Rope, i: int, sheave: Sheave) -> None:
     elif abs(sheave.centre - middle) > 1e-6:
         _join(board, middle, sheave.centre, -away)
     if _is_load(board, point):
-        reach = max(HINGE + _STEM, sheave.radius + _BELOW if abs(sheave.centre - middle) < sheave.radius else 0.0)
-        place = middle + (reach + HALF_LOAD) * away
+        far = max(HINGE + _STEM, sheave.radius + _BELOW if abs(sheave.centre - middle) < sheave.radius else 0.0)
+        place = middle + (far + HALF_LOAD) * away
         sketch.path((middle + HINGE * away, place), Layer.LINK, 0.8 * BOLD)
         _load(board, point, place, -away, clear=False)
 
@@ -228,7 +229,7 @@ def _half_base(own: Strand, foot: complex, others: Sequence[Strand]) -> float:
     """Half the width of a support: less where another strand runs close by."""
     gaps = [3.0 + _BESIDE]
     for strand in others:
-        reach = [((end - foot) * own.way.conjugate()) for end in (strand.start, strand.end)]
-        if strand is not own and min(reach[0].real, reach[1].real) < 0 < max(reach[0].real, reach[1].real):
-            gaps.append(min(abs(end.imag) for end in reach))
+        along = [((end - foot) * own.way.conjugate()) for end in (strand.start, strand.end)]
+        if strand is not own and min(along[0].real, along[1].real) < 0 < max(along[0].real, along[1].real):
+            gaps.append(min(abs(end.imag) for end in along))
     return max(min(gaps) - _BESIDE, _NARROW)

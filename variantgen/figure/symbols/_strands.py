@@ -34,7 +34,7 @@ class Strand:
     way: complex
 
 
-class Slot(NamedTuple):
+class StrandEnd(NamedTuple):
     """Where a strand is fastened to a moving station: rope, station on its path, whether the strand leaves it."""
 
     rope: int
@@ -53,11 +53,11 @@ def all_strands(board: Board) -> list[list[Strand]]:
 
 
 class _Strands:
-    """The slots of all blocks, settled one block after the other."""
+    """The ends of strands at all blocks, placed one block after the other."""
 
     def __init__(self, board: Board) -> None:
         self.board, self.ropes = board, parallel_ropes(board)
-        self.settled: dict[Slot, complex] = {}
+        self.placed: dict[StrandEnd, complex] = {}
         moving = [(b.point, b.along) for rope in self.ropes for b in rope.path if b.along is not None and not b.fixed]
         for point, along in dict(moving).items():
             self._settle(point, complex(board.frame.direction(along)))
@@ -75,7 +75,7 @@ class _Strands:
         return self._at(bend), radius, float(self.board.frame.sense * bend.side)
 
     def _piece(self, number: int, i: int) -> Strand:
-        """A piece of a rope: along the way of its block, at its slot; between stations at rest straight on."""
+        """A piece of a rope: along the way of its block, at its ends; between stations at rest straight on."""
         rope = self.ropes[number]
         first, second = rope.path[i : i + 2]
         angle = rope.way(first, second)
@@ -83,11 +83,14 @@ class _Strands:
             return _between(self._circle(first), self._circle(second))
         way = complex(self.board.frame.direction(angle))
         way = way if ((self._at(second) - self._at(first)) * way.conjugate()).real > 0 else -way
-        slots = (Slot(number, i, True), Slot(number, i + 1, False))
-        ends = [self.settled.get(slot, self._rim(bend, way)) for slot, bend in zip(slots, (first, second), strict=True)]
+        strand_ends = (StrandEnd(number, i, True), StrandEnd(number, i + 1, False))
+        ends = [
+            self.placed.get(strand_end, self._rim(bend, way))
+            for strand_end, bend in zip(strand_ends, (first, second), strict=True)
+        ]
         for k, bend in enumerate((first, second)):
             # At a station at rest, the strand is where its block has it.
-            if slots[k] not in self.settled and slots[1 - k] in self.settled and bend.body is None:
+            if strand_ends[k] not in self.placed and strand_ends[1 - k] in self.placed and bend.body is None:
                 ends[k] = ends[1 - k] + ((ends[k] - ends[1 - k]) * way.conjugate()).real * way
         return Strand(ends[0], ends[1], (ends[1] - ends[0]) / abs(ends[1] - ends[0]))
 
@@ -98,46 +101,52 @@ class _Strands:
 
     def _settle(self, point: str, along: complex) -> None:
         """Give each strand at a block its place."""
-        slots = [slot for number in range(len(self.ropes)) for slot in self._sheaves(number, point)]
+        strand_ends = [strand_end for number in range(len(self.ropes)) for strand_end in self._sheaves(number, point)]
         middle = self.board.sketch.at[point]
         for number, rope in enumerate(self.ropes):
-            ends = [Slot(number, 0, True), Slot(number, len(rope.path) - 1, False)]
-            hooks = [slot for slot in ends if rope.path[slot.station].point == point and slot not in slots]
-            self.settled |= dict.fromkeys(hooks, middle)  # the end of a rope on the hook of a block
-        if not slots:
+            ends = [StrandEnd(number, 0, True), StrandEnd(number, len(rope.path) - 1, False)]
+            hooks = [
+                strand_end
+                for strand_end in ends
+                if rope.path[strand_end.station].point == point and strand_end not in strand_ends
+            ]
+            self.placed |= dict.fromkeys(hooks, middle)  # the end of a rope on the hook of a block
+        if not strand_ends:
             return
         if point not in self.board.loads:
-            middle += _BEFORE * self._towards(slots[0])
+            middle += _BEFORE * self._towards(strand_ends[0])
         across = 1j * along
-        across = across if self._leans(slots, middle, across) else -across
-        wanted = [self._wanted(slot, along, middle, across) for slot in slots]
-        offsets = _spread(wanted, self._spacing(slots, middle, across))
+        across = across if self._leans(strand_ends, middle, across) else -across
+        wanted = [self._wanted(strand_end, along, middle, across) for strand_end in strand_ends]
+        offsets = _spread(wanted, self._spacing(strand_ends, middle, across))
         if not any(place for place in wanted):
             offsets = self._above_ground(point, wanted, offsets, across)
-        self.settled |= {slot: middle + offset * across for slot, offset in zip(slots, offsets, strict=True)}
+        self.placed |= {
+            strand_end: middle + offset * across for strand_end, offset in zip(strand_ends, offsets, strict=True)
+        }
 
-    def _sheaves(self, number: int, point: str) -> list[Slot]:
-        """The slots of a rope at a block that it passes, in their order; none for a rope that only ends there."""
+    def _sheaves(self, number: int, point: str) -> list[StrandEnd]:
+        """The ends of strands of a rope at a block that it passes, in their order; none for a rope that only ends there."""
         path = self.ropes[number].path
         visits = [i for i, bend in enumerate(path) if bend.point == point and bend.along is not None]
-        slots = [Slot(number, i, leaves) for i in visits for leaves in (False, True)]
-        slots = [slot for slot in slots if 0 <= _other(slot) < len(path)]
-        return slots if len(slots) > 1 else []
+        strand_ends = [StrandEnd(number, i, leaves) for i in visits for leaves in (False, True)]
+        strand_ends = [strand_end for strand_end in strand_ends if 0 <= _other(strand_end) < len(path)]
+        return strand_ends if len(strand_ends) > 1 else []
 
-    def _towards(self, slot: Slot) -> complex:
+    def _towards(self, strand_end: StrandEnd) -> complex:
         """The direction from a block to where a strand leads, along its way."""
-        path = self.ropes[slot.rope].path
-        own, other = path[slot.station], path[_other(slot)]
+        path = self.ropes[strand_end.rope].path
+        own, other = path[strand_end.station], path[_other(strand_end)]
         way = complex(self.board.frame.direction(0.0 if own.along is None else own.along))
         return way if ((self._at(other) - self._at(own)) * way.conjugate()).real > 0 else -way
 
-    def _leans(self, slots: Sequence[Slot], middle: complex, across: complex) -> bool:
+    def _leans(self, strand_ends: Sequence[StrandEnd], middle: complex, across: complex) -> bool:
         """Whether the first strand stands on the side of ``across``: where the rope comes from, or does not go to."""
 
         def aside(bend: Bend) -> float:
             return ((self._at(bend) - middle) * across.conjugate()).real
 
-        first, last = slots[0], slots[-1]
+        first, last = strand_ends[0], strand_ends[-1]
         before = self.ropes[first.rope].path[: first.station][::-1]
         after = self.ropes[last.rope].path[last.station + 1 :]
         nearest = aside(before[0]) if before else 0.0
@@ -145,33 +154,33 @@ class _Strands:
         leans = [nearest, *map(aside, before), *(-aside(bend) for bend in after)]
         return next((lean > 0 for lean in leans if abs(lean) > HINGE), True)
 
-    def _wanted(self, slot: Slot, along: complex, middle: complex, across: complex) -> float | None:
+    def _wanted(self, strand_end: StrandEnd, along: complex, middle: complex, across: complex) -> float | None:
         """How far across a strand has to stand for what is at its other end; None where that is indifferent."""
-        path = self.ropes[slot.rope].path
-        other = path[_other(slot)]
-        back = Slot(slot.rope, _other(slot), not slot.leaves)
-        if back in self.settled:
-            place = self.settled[back]
+        path = self.ropes[strand_end.rope].path
+        other = path[_other(strand_end)]
+        back = StrandEnd(strand_end.rope, _other(strand_end), not strand_end.leaves)
+        if back in self.placed:
+            place = self.placed[back]
         elif other.body is not None:
-            way = self._towards(slot)
-            place = self._rim(other, way if slot.leaves else -way)
-        elif not other.fixed and other.along is not None and not self._sheaves(slot.rope, other.point):
+            way = self._towards(strand_end)
+            place = self._rim(other, way if strand_end.leaves else -way)
+        elif not other.fixed and other.along is not None and not self._sheaves(strand_end.rope, other.point):
             place = self._at(other)  # a load, or a hook
         else:
             return None
         return ((place - middle) * across.conjugate()).real
 
-    def _spacing(self, slots: Sequence[Slot], middle: complex, across: complex) -> float:
+    def _spacing(self, strand_ends: Sequence[StrandEnd], middle: complex, across: complex) -> float:
         """Half the distance of the strands: less where else one of them would run along the side of a load."""
         found = RADIUS
-        for slot, side in ((slots[0], 1.0), (slots[-1], -1.0)):
-            path = self.ropes[slot.rope].path
-            beyond = _other(slot) + (1 if slot.leaves else -1)
-            if not path[_other(slot)].fixed or not 0 <= beyond < len(path) or not _is_end(path, beyond):
+        for strand_end, side in ((strand_ends[0], 1.0), (strand_ends[-1], -1.0)):
+            path = self.ropes[strand_end.rope].path
+            beyond = _other(strand_end) + (1 if strand_end.leaves else -1)
+            if not path[_other(strand_end)].fixed or not 0 <= beyond < len(path) or not _is_end(path, beyond):
                 continue
             aside = side * ((self._at(path[beyond]) - middle) * across.conjugate()).real
             if path[beyond].point in self.board.loads and aside > 0:
-                found = min(found, (aside - HALF_LOAD - _CLEAR) / (len(slots) - 1))
+                found = min(found, (aside - HALF_LOAD - _CLEAR) / (len(strand_ends) - 1))
         return max(found, _LEAST)
 
     def _above_ground(
@@ -188,9 +197,9 @@ class _Strands:
         return [-down * abs(offset) for offset in offsets]  # from the strand at the block itself upwards
 
 
-def _other(slot: Slot) -> int:
-    """The station at the other end of the strand of a slot."""
-    return slot.station + (1 if slot.leaves else -1)
+def _other(strand_end: StrandEnd) -> int:
+    """The station at the other end of the strand of which this is an end."""
+    return strand_end.station + (1 if strand_end.leaves else -1)
 
 
 def _is_end(path: Sequence[Bend], i: int) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 
 from variantgen.wording.formula import GREEK, Formula, Fraction, Sum, to_plain, to_typst
 from variantgen.wording.solution.document import FormulaLine
@@ -35,6 +36,7 @@ def rows(lines: Sequence[FormulaLine]) -> Iterator[list[Pieces]]:
         yield row
 
 
+@lru_cache(maxsize=10_000)
 def _letters(formula: Formula) -> int:
     """About how wide a formula is, in letters; a fraction counts half of what stands above and below."""
     markup = to_typst(formula)

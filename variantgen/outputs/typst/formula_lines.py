@@ -11,7 +11,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from variantgen.outputs.typst.markup import Piece
+from variantgen.outputs.typst import fragments
+from variantgen.outputs.typst.markup import Lettered, Piece
 from variantgen.outputs.typst.set_formulas import set_piece
 from variantgen.outputs.typst.widths import formula_width
 
@@ -20,22 +21,27 @@ COLUMN, PAGE = 87.0 / _EM, 180.0 / _EM
 _FIRST, _NEXT = 1.4, 3.8  # indents of a formula and of its further lines
 _LEAST = 0.72  # what would become smaller in a column has the width of the page
 _BETWEEN_PIECES, _BETWEEN_FORMULAS = 0.25, 1.6
+_AFTER_SIGN = 0.25
 _SIGN, _STOP = 0.778, 0.278  # widths of signs as =, and of marks as ;
 _ROOM = 0.05  # for what is rounded
 _NEARLY = 1.08  # by how much a width that is only estimated may be too small
 _TALL = "display("
+_CAPITALS, _LEADING = 0.683, 0.64  # the height of a line of letters, and what is between two lines
 
 Formulas = Sequence[Sequence[tuple[str, Piece]]]  # in pieces that hold together, with the sign before each
 
 
 @dataclass
-class _Line:
+class Line:
+    """A line of a row: what is on it, from its indent."""
+
     indent: float
     scale: float = 1.0
-    items: list[list[Any]] = field(default_factory=list)
-    end: float = 0.0  # from the indent
+    items: list[tuple[float, str, Piece | None]] = field(default_factory=list)  # space before it, sign, piece
+    end: float = 0.0
     bottom: float = 0.0
     top: float = 0.0
+    known: bool = True  # whether all of it is set here
 
     def has_room(self, width: float, room: float) -> bool:
         """Whether something can follow, with a mark that ends it."""
@@ -43,44 +49,83 @@ class _Line:
 
     def add(self, gap: float, sign: str, piece: Piece, width: float) -> None:
         """Set a piece after what is there: the space before it, its sign, its markup."""
-        self.items.append([gap if self.items else 0, sign, piece])
-        self.end += width + (gap if len(self.items) > 1 else 0.0)
+        gap = gap if self.items else 0.0
+        self.items.append((gap, sign, piece))
+        self.end += width + gap
         made = set_piece(piece)
+        self.known = self.known and made is not None
         if made and piece.startswith(_TALL):
             self.bottom, self.top = min(self.bottom, made.lowest), max(self.top, made.highest)
 
     def stop(self, mark: str) -> None:
         """End a formula."""
-        self.items.append([0, mark, ""])
+        self.items.append((0.0, mark, None))
         self.end += _STOP
 
-    def data(self) -> list[Any]:
-        """Indent, scale, lowest and highest ink of what is taller than a line of text, items."""
-        return [self.indent, round(self.scale, 3), self.bottom, self.top, self.items]
+    def data(self, letters: bool) -> list[Any]:
+        """Indent, scale, lowest and highest ink of what is taller than a line of text, fragments."""
+        found = fragments.Line()
+        for gap, sign, piece in self.items:
+            found.space(gap)
+            if sign:
+                found.letters(fragments.FULL, sign)
+                found.space(_AFTER_SIGN if piece else 0.0)
+            made = set_piece(piece) if piece and letters else None
+            if made:
+                found.extend(made.fragments)
+                found.space(made.rest)
+            elif piece:
+                found.put((piece,))
+        return [self.indent, round(self.scale, 3), self.bottom, self.top, found.found()]
 
 
-def in_lines(row: Formulas, mark: str) -> dict[str, Any]:
-    """A row for the template: whether it is ``wide``, as the page, and its ``lines``; it ends with a mark."""
+@dataclass(frozen=True)
+class Row(Lettered):
+    """A row in lines; ``wide``: as the page."""
+
+    wide: bool
+    lines: Sequence[Line]
+
+    def data(self, letters: bool) -> dict[str, Any]:
+        """Its lines and its height (em), which is negative if the engine has to measure it."""
+        known = letters and all(line.known for line in self.lines)
+        return {
+            "wide": self.wide,
+            "high": fragments.rounded(self.high) if known else -1,
+            "lines": [line.data(letters) for line in self.lines],
+        }
+
+    @property
+    def high(self) -> float:
+        """The height of lines of letters (em)."""
+        own = (max(_CAPITALS, line.top) - line.bottom for line in self.lines)
+        return sum(line.scale * high for line, high in zip(self.lines, own, strict=True)) + _LEADING * (
+            len(self.lines) - 1
+        )
+
+
+def in_lines(row: Formulas, mark: str) -> Row:
+    """A row for the template; it ends with a mark."""
     widths = [[_width(sign, piece) for sign, piece in pieces] for pieces in row]
     wide = any(_LEAST * width > COLUMN for own in widths for width in own)
     room = (PAGE if wide else COLUMN) - _ROOM
-    lines = [_Line(_FIRST)]
+    lines = [Line(_FIRST)]
     for i, (pieces, own) in enumerate(zip(row, widths, strict=True)):
         if i and not lines[-1].has_room(_BETWEEN_FORMULAS + _whole(own), room):
-            lines.append(_Line(_FIRST))
+            lines.append(Line(_FIRST))
         _set(lines, pieces, own, room)
         lines[-1].stop(mark if i == len(row) - 1 else ";")
-    return {"wide": wide, "lines": [line.data() for line in lines]}
+    return Row(wide, lines)
 
 
-def _set(lines: list[_Line], pieces: Sequence[tuple[str, Piece]], widths: Sequence[float], room: float) -> None:
+def _set(lines: list[Line], pieces: Sequence[tuple[str, Piece]], widths: Sequence[float], room: float) -> None:
     """Set a formula on the last line; where there is no room, it goes on below."""
     for k, ((sign, piece), width) in enumerate(zip(pieces, widths, strict=True)):
         gap = _BETWEEN_PIECES if k else _BETWEEN_FORMULAS
         if k and not lines[-1].has_room(gap + width, room):
-            lines.append(_Line(_NEXT))
+            lines.append(Line(_NEXT))
         line = lines[-1]
-        if not _Line(line.indent).has_room(width, room):  # it is alone on its line
+        if not Line(line.indent).has_room(width, room):  # it is alone on its line
             line.scale = (room - line.indent) / (width + _STOP)
         line.add(gap, sign, piece, width)
 
@@ -92,4 +137,4 @@ def _whole(widths: Sequence[float]) -> float:
 def _width(sign: str, piece: Piece) -> float:
     made = set_piece(piece)
     own = made.width if made else _NEARLY * sum(map(formula_width, piece.formulas))
-    return own + (_SIGN + _BETWEEN_PIECES if sign else 0.0)
+    return own + (_SIGN + _AFTER_SIGN if sign else 0.0)

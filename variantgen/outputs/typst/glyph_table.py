@@ -19,7 +19,7 @@ import numpy as np
 
 from variantgen.figure.glyphs import KERNING, STRETCHED, TABLE, outline
 from variantgen.figure.tall_letters import ROOT
-from variantgen.outputs.typst.set_formulas import italic
+from variantgen.outputs.typst.fragments import italic
 from variantgen.outputs.typst.typesetter import Typesetter, typesetter
 from variantgen.wording.formula import GREEK
 
@@ -55,12 +55,12 @@ _KERNING = """
   [#metadata(pairs) <found>]
 }
 """
-_ADVANCES = """#import "common.typ": letters-of
+_ADVANCES = """#import "common.typ": math-style, set-lines
 #context {
   let (letters, level) = json(bytes(sys.inputs.data))
   let size = (1, 0.7, 0.5).at(level)
-  let width(letter) = measure(letters-of(((0, 0, size, level, letter),))).width / 1pt
-  [#metadata(letters.codepoints().map(width)) <found>]
+  let lines = set-lines(letters.codepoints().map(letter => ((0, size, level, letter),)))
+  [#metadata(lines.map(line => measure(text(..math-style, line)).width / 1pt)) <found>]
 }
 """
 
@@ -109,7 +109,7 @@ def stretched(engine: Typesetter, opening: str, closing: str) -> list[tuple[list
 
 
 def advances(engine: Typesetter, letters: str, level: int) -> list[int]:
-    """Where the next letter begins in a line of text, as ``letters-of`` of ``common.typ`` sets letters of a level."""
+    """Where the next letter begins in a line of text, as ``common.typ`` sets letters of a level."""
     found: list[float] = _asked(engine, _ADVANCES, json.dumps([letters, level]))
     return [_thousandths(width) for width in found]
 

@@ -5,6 +5,7 @@ Tagged documents have the plain text beside the markup, for programs that read a
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from functools import lru_cache
 from typing import Any
 
@@ -40,6 +41,14 @@ class Piece(TypstMarkup):
         return "".join(map(to_plain, self.formulas))
 
 
+class Lettered(ABC):
+    """What documents without tags have as letters at their places, and others with the markup of formulas."""
+
+    @abstractmethod
+    def data(self, letters: bool) -> Any:
+        """The data for templates."""
+
+
 @lru_cache(maxsize=10_000)
 def markup(formula: Formula) -> TypstMarkup:
     """A formula."""
@@ -62,12 +71,12 @@ def heading(symbol: Formula, unit: UnitText) -> TypstMarkup:
 
 
 def alternatives(data: Any) -> dict[str, str]:
-    """All markup in the data of a document, with the plain text of each."""
-    return {str(found): found.plain for found in marked(data)}
+    """All markup in the data of a document with tags, with the plain text of each."""
+    return {str(found): found.plain for found in marked(data, everywhere=True)}
 
 
-def marked(data: Any) -> list[TypstMarkup]:
-    """All markup in the data of a document, each once."""
+def marked(data: Any, everywhere: bool = False) -> list[TypstMarkup]:
+    """All markup in the data of a document, each once; ``everywhere``: also of what others have as letters."""
     found: dict[tuple[type, str], TypstMarkup] = {}
     waiting: list[Any] = [data]
     while waiting:
@@ -79,4 +88,6 @@ def marked(data: Any) -> list[TypstMarkup]:
             waiting.extend(item.values())
         elif kind is list or kind is tuple:
             waiting.extend(item)
+        elif everywhere and isinstance(item, Lettered):
+            waiting.append(item.data(letters=False))
     return list(found.values())

@@ -7,7 +7,7 @@ for it next. The figure of a statement stands at the head of the right column, b
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import islice
 from typing import Any
@@ -29,7 +29,10 @@ Standing = tuple[str, int, int, float, float, float]
 
 @dataclass(frozen=True)
 class Block:
-    """A unit of a problem or, with a ``unit`` of its own, a figure; ``figures`` belong to a unit."""
+    """A unit of a problem or, with a ``unit`` of its own, a figure.
+
+    ``figures`` belong to a unit, ``parts`` are where what it consists of begins, from its top.
+    """
 
     kind: str
     number: int
@@ -38,6 +41,7 @@ class Block:
     below: float
     wide: bool = False
     figures: tuple[Block, ...] = ()
+    parts: tuple[float, ...] = ()
     unit: float = 0.0
     least: float = 0.0
     drawn: float = 0.0  # the height of the drawing in its units
@@ -124,19 +128,33 @@ def contents_of(found: Mapping[str, Any]) -> tuple[float, list[ProblemBlocks]]:
     problems = []
     for problem in found["problems"]:
         headings = (next(heights), next(heights))
-        units = list(zip(problem["units"], list(islice(heights, len(problem["units"]))), strict=True))
+        stacked = [_stacked(parts, heights) for _, _, parts in problem["units"]]
         figures = [
             _figure(number, sizes, caption)
             for number, (sizes, caption) in enumerate(
                 zip(problem["figures"], list(islice(heights, len(problem["figures"]))), strict=True)
             )
         ]
-        blocks = tuple(
-            Block("unit", number, high, above, below, wide, tuple(figures[own] for own in shown))
-            for number, ((above, below, wide, shown), high) in enumerate(units)
-        )
-        problems.append(ProblemBlocks(headings, blocks, figures[0]))
+        blocks = []
+        for number, ((wide, shown, parts), (high, starts)) in enumerate(zip(problem["units"], stacked, strict=True)):
+            own = tuple(figures[figure] for figure in shown)
+            blocks.append(Block("unit", number, high, parts[0][0], parts[-1][1], wide, own, starts))
+        problems.append(ProblemBlocks(headings, tuple(blocks), figures[0]))
     return head, problems
+
+
+def _stacked(parts: Sequence[Sequence[float]], measured: Iterator[float]) -> tuple[float, tuple[float, ...]]:
+    """The height of parts below each other, and where each begins.
+
+    A part is the space above and below it and its height, which is taken from what was measured if it is negative.
+    """
+    starts: list[float] = []
+    y = space = 0.0
+    for above, below, known in parts:
+        start = y + max(space, above) if starts else 0.0
+        starts.append(round(start, 4))
+        y, space = start + (known if known >= 0 else next(measured)), below
+    return y, tuple(starts)
 
 
 def _figure(number: int, sizes: Sequence[float], caption: float) -> Block:
@@ -147,7 +165,7 @@ def _figure(number: int, sizes: Sequence[float], caption: float) -> Block:
 
 
 def pages_of(head: float, problems: Sequence[ProblemBlocks], room: float = TEXT_HEIGHT) -> dict[str, Any]:
-    """The pages for the template: what stands on each, and how high it is on the last one."""
+    """The pages for the template: what stands on each, how high it is on the last one, and the parts of all units."""
     found = _laid(head, problems, room)
     if len(found.pages) > 1 and found.y < _LITTLE * room:
         for part in _CLOSER:
@@ -155,7 +173,8 @@ def pages_of(head: float, problems: Sequence[ProblemBlocks], room: float = TEXT_
             if len(tried.pages) < len(found.pages):
                 found = tried
                 break
-    return {"pages": found.pages, "high": found.y}
+    parts = [[unit.parts for unit in problem.units] for problem in problems]
+    return {"pages": found.pages, "high": found.y, "parts": parts}
 
 
 def _laid(head: float, problems: Sequence[ProblemBlocks], room: float) -> _Pages:

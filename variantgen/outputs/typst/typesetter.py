@@ -21,8 +21,9 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 
 from variantgen.errors import ToolMissingError, VariantgenError
 from variantgen.figure.drawing import Drawing
-from variantgen.outputs.typst.markup import alternatives
-from variantgen.outputs.typst.set_formulas import set_formulas, set_pieces
+from variantgen.outputs.typst.fragments import signs
+from variantgen.outputs.typst.markup import Lettered, alternatives
+from variantgen.outputs.typst.set_formulas import set_formulas
 from variantgen.outputs.typst.solution_pages import TEXT_HEIGHT, contents_of, is_too_high, pages_of
 from variantgen.resources import templates_dir
 
@@ -59,13 +60,12 @@ class Typesetter:
         A PDF is ``tagged`` for reading aloud, which takes three quarters of the bytes of a solution; ``standards`` are
         those of PDF that it conforms to. Raises TypesettingError where the engine refuses the template.
         """
-        with_alt = tagged and form == "pdf"
         known: dict[str, Any] = {}
         if form == "pdf" and tagged:
             known = {"alternatives": alternatives(data)}
         elif form == "pdf":
-            known = {"set-formulas": set_formulas(data, longer=template in _ROOMS), "set-pieces": set_pieces(data)}
-        inputs = self._inputs(form, _json(data, with_alt), known)
+            known = {"set-formulas": set_formulas(data, longer=template in _ROOMS)}
+        inputs = self._inputs(form, _json(data, form == "pdf", tagged), known)
         try:
             if template in _ROOMS:
                 inputs = self._with_pages(inputs, _ROOMS[template])
@@ -100,21 +100,12 @@ class Typesetter:
 
     def query(self, template: str, data: Mapping[str, Any], known: Mapping[str, Any]) -> list[float]:
         """The numbers that a template notes under the label ``found``; ``known`` are the formulas that are set."""
-        found: list[float] = self._asked(template, self._inputs("pdf", _json(data, False), {"set-formulas": known}))
+        found: list[float] = self._asked(template, self._inputs("pdf", _json(data), {"set-formulas": known}))
         return found
 
     def _asked(self, template: str, inputs: dict[str, str]) -> Any:
-        import typst
-
-        # An engine of its own, because only a new one is given a template for a query: 3 ms, once for many sheets.
-        engine = typst.Compiler(
-            self.root / template,
-            root=self.root,
-            font_paths=[],
-            ignore_system_fonts=True,
-            sys_inputs=self._told(inputs),
-        )
-        return json.loads(engine.query("<found>", field="value", one=True))
+        (told,) = self._told(inputs).values()
+        return json.loads(_asking(self.root, template, told).query("<found>", field="value", one=True))
 
     def _inputs(self, form: str, data: str, known: Mapping[str, Any]) -> dict[str, str]:
         """What templates are told: the names of the files with the data, which are those of this process.
@@ -145,13 +136,24 @@ def _compiler(root: Path) -> typst.Compiler:
     return typst.Compiler(root=root, font_paths=[], ignore_system_fonts=True)
 
 
-def _json(data: Any, with_alt: bool = True) -> str:
-    """The data as text; drawings in it stand for their words, which only documents with tags hold."""
+@lru_cache(maxsize=2)
+def _asking(root: Path, template: str, told: str) -> typst.Compiler:
+    """An engine that answers questions about one template: only a new one is given a template for that."""
+    import typst
 
-    def words(drawing: Drawing) -> str:
-        return drawing.alt if with_alt else ""
+    inputs = {"inputs": told}
+    return typst.Compiler(root / template, root=root, font_paths=[], ignore_system_fonts=True, sys_inputs=inputs)
 
-    return json.dumps(data, ensure_ascii=False, separators=(",", ":"), default=words)
+
+def _json(data: Any, pdf: bool = True, tagged: bool = False) -> str:
+    """The data as text. Drawings stand for their words, which only documents with tags hold."""
+
+    def shown(item: Drawing | Lettered) -> Any:
+        if isinstance(item, Lettered):
+            return item.data(letters=pdf and not tagged)
+        return item.alt if pdf and tagged else ""
+
+    return json.dumps(data, ensure_ascii=False, separators=(",", ":"), default=shown)
 
 
 @contextmanager
@@ -166,4 +168,5 @@ def typesetter() -> Iterator[Typesetter]:
     with tempfile.TemporaryDirectory(prefix="variantgen-") as folder:
         for path in sorted((templates_dir() / "typst").glob("*.typ")):
             shutil.copyfile(path, Path(folder) / path.name)
+        (Path(folder) / "signs.json").write_text(_json(signs()), "utf-8")
         yield Typesetter(Path(folder))

@@ -8,11 +8,12 @@ from typing import Any
 
 import numpy as np
 
-from variantgen.figure.curves import DASHES, Curve, curves
+from variantgen.figure.curves import DASHES, Curve, curves, papers
 from variantgen.figure.drawing import LETTER, Drawing
 from variantgen.outputs.qr import qr_rows, qr_svg
 from variantgen.outputs.typst.broken_fraction import in_the_line
-from variantgen.outputs.typst.formula_lines import in_lines
+from variantgen.outputs.typst.figure_labels import FigureLabels
+from variantgen.outputs.typst.formula_lines import Row, in_lines
 from variantgen.outputs.typst.markup import Piece, heading, markup, piece
 from variantgen.outputs.typst.set_formulas import set_piece
 from variantgen.outputs.typst.widths import formula_width
@@ -52,7 +53,7 @@ class TypstWriting:
         """The markup, which templates evaluate."""
         return heading(symbol, unit)
 
-    def row(self, formulas: Sequence[Sequence[tuple[str, Formula]]], last: bool) -> dict[str, Any]:
+    def row(self, formulas: Sequence[Sequence[tuple[str, Formula]]], last: bool) -> Row:
         """The lines of the row; fractions too wide for a column are broken in the line."""
         made = [[part for sign, formula in pieces for part in _pieces(sign, formula)] for pieces in formulas]
         return in_lines(made, "." if last else ";")
@@ -80,19 +81,19 @@ def _pieces(sign: str, formula: Formula) -> list[tuple[str, Piece]]:
 def figure_data(drawing: Drawing) -> dict[str, Any]:
     """A drawing as data for ``figure.typ``: places x, y in whole hundredths of u, y down.
 
-    A curve is weight, fill, dashes and the path, as SVG writes it. The drawing itself stands for its words, which are
-    made when they are needed.
+    A curve is weight, fill, dashes and the path, as SVG writes it; the paper under labels comes last. The drawing
+    itself stands for its words, which are made when they are needed.
     """
-    drawn = curves(drawing.lines)
+    drawn = [*curves(drawing.lines), *papers(drawing.labels)]
     points = [point for curve in drawn for _, ends in curve.steps for point in ends]
-    places = iter(_hundredths([*points, *(label.at for label in drawing.labels)], drawing.height))
+    places = iter(_hundredths(points, drawing.height))
     return {
         "w": round(drawing.width, 2),
         "h": round(drawing.height, 2),
         "letter": LETTER,
         "alt": drawing,
         "curves": [[c.weight, c.fill, DASHES[c.dash], _path(c, places)] for c in drawn],
-        "labels": [[next(places), next(places), markup(label.formula), label.paper] for label in drawing.labels],
+        "labels": FigureLabels(drawing),
     }
 
 

@@ -1,0 +1,179 @@
+"""Letters at their places in a line, as ``common.typ`` sets them: fragments, one after the other.
+
+A fragment is a string (letters of full size on the line), a number (a space, em), letters that are raised or smaller,
+a sign that grows or a bar, which take no room, or the markup of a formula that is left to the engine. The fewer there
+are, the less the engine has to do: letters of one style are one fragment, also across spaces that the font has.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cache
+from typing import Any, cast
+
+from variantgen.figure.glyphs import STRETCHED, glyph, glyph_names, kerning
+from variantgen.figure.letter_run import SCALE, PlacedGlyph
+from variantgen.figure.lettering import Lettering
+
+_DIGITS = 4
+# Spaces of the font of formulas: widths in em, which the font has in thousandths.
+_SPACES = {0.1667: "\N{SIX-PER-EM SPACE}", 0.2222: "\N{MEDIUM MATHEMATICAL SPACE}", 0.25: "\N{FOUR-PER-EM SPACE}"}
+# Letters as the alphabet of formulas has them.
+_ITALIC = {
+    ord(first) + n: chr(italic + n)
+    for first, italic in (("A", 0x1D434), ("a", 0x1D44E), ("α", 0x1D6FC))
+    for n in range(26)
+} | {ord("h"): "\N{PLANCK CONSTANT}"}
+FULL = (0.0, 1.0, 0)  # letters of full size on the line
+
+# How far up (em), size, the level that letters are cut for.
+Style = tuple[float, float, int]
+Letters = tuple[float, float, int, str]
+# How far up, name of a sign or width of a bar.
+Mark = tuple[float, str | float]
+Fragment = str | float | Letters | Mark | tuple[str]
+
+
+class Line:
+    """Fragments in the order in which they are set."""
+
+    def __init__(self) -> None:
+        self._found: list[Fragment] = []
+        self._gap = 0.0
+        self._style: Style | None = None  # of the letters at the end
+
+    def space(self, width: float) -> None:
+        """Go on farther right, or farther left."""
+        self._gap += width
+
+    def letters(self, style: Style, text: str) -> None:
+        """Set letters."""
+        gap = self._take_gap()
+        between = _between(gap, style) if style == self._style else None
+        if between is not None:
+            text = _text(self._found.pop()) + between + text
+        elif gap:
+            self._found.append(gap)
+        self._found.append(text if style == FULL else (*style, text))
+        self._style = style
+
+    def put(self, mark: Mark | tuple[str]) -> None:
+        """Set a sign or a bar, or the markup of a formula."""
+        if gap := self._take_gap():
+            self._found.append(gap)
+        self._found.append(mark)
+        self._style = None
+
+    def extend(self, fragments: Sequence[Fragment], up: float = 0.0) -> None:
+        """Set fragments, raised by some height."""
+        for number, fragment in enumerate(fragments, start=1):
+            if isinstance(fragment, str):
+                self.letters((up, 1.0, 0), fragment)
+            elif isinstance(fragment, float):
+                self.space(fragment)
+                continue
+            elif len(fragment) == 4:
+                self.letters((rounded(fragment[0] + up), fragment[1], fragment[2]), fragment[3])
+            elif len(fragment) == 2:
+                self.put((rounded(fragment[0] + up), fragment[1]))
+            else:
+                self.put(fragment)
+            if not up and number < len(fragments):  # the others follow each other as they are
+                self._found += fragments[number:]
+                self._style = _style(fragments[-1])
+                break
+
+    def found(self) -> tuple[Fragment, ...]:
+        """The fragments; spaces at the end are left out."""
+        return tuple(self._found)
+
+    def _take_gap(self) -> float:
+        gap, self._gap = self._gap, 0.0
+        return rounded(gap) if gap else gap
+
+
+def _between(gap: float, style: Style) -> str | None:
+    """What stands for a space between letters of one style, if they can be one fragment."""
+    if not gap:
+        return ""
+    return _SPACES.get(gap) if style[1:] == FULL[1:] else None
+
+
+def _text(fragment: Fragment) -> str:
+    return fragment if isinstance(fragment, str) else cast(Letters, fragment)[3]
+
+
+def _style(fragment: Fragment) -> Style | None:
+    if isinstance(fragment, str):
+        return FULL
+    return fragment[:3] if isinstance(fragment, tuple) and len(fragment) == 4 else None
+
+
+def fragments_of(lettering: Lettering) -> tuple[tuple[Fragment, ...], float]:
+    """The glyphs and bars of a formula, and where the last of them ends.
+
+    Letters after each other are one fragment, which the engine spaces itself.
+    """
+    words: list[list[PlacedGlyph]] = []
+    for placed in lettering.glyphs:
+        if words and _follows(words[-1][-1], placed):
+            words[-1].append(placed)
+        else:
+            words.append([placed])
+    line = Line()
+    end = 0.0
+    for word in words:
+        first, last = word[0], word[-1]
+        line.space(first.at.real - end)
+        end = first.at.real
+        if first.glyph.name[1] == STRETCHED:
+            line.put((rounded(first.at.imag), first.glyph.name))
+        else:
+            line.letters(*_letters(word))
+            end = last.at.real + last.glyph.advance
+    for bar in lettering.bars:
+        line.space(bar.at.real - end)
+        line.put((rounded(bar.at.imag), rounded(bar.width)))
+        end = bar.at.real
+    return line.found(), end
+
+
+def _follows(before: PlacedGlyph, after: PlacedGlyph) -> bool:
+    one, other = before.glyph, after.glyph
+    if one.scale != other.scale or one.name[:2] != other.name[:2] or one.name[1] == STRETCHED:
+        return False
+    gap = one.advance
+    if one.name[1] == "u":
+        gap += one.scale * kerning(one.name[2:], other.name[2:])
+    return abs(before.at + gap - after.at) < 1e-9
+
+
+def _letters(word: Sequence[PlacedGlyph]) -> tuple[Style, str]:
+    glyph, at = word[0]
+    level, upright = int(glyph.name[0]), glyph.name[1] == "u"
+    letters = "".join([placed.glyph.name[2:] for placed in word])
+    if upright:
+        return (rounded(at.imag), glyph.scale, 0), letters
+    return (rounded(at.imag), SCALE[level], level), italic(letters)
+
+
+def rounded(length: float) -> float:
+    """A length as templates get it."""
+    return round(length, _DIGITS)
+
+
+def italic(letters: str) -> str:
+    """Letters as the alphabet of formulas has them."""
+    return letters.translate(_ITALIC)
+
+
+@cache
+def signs() -> dict[str, list[list[Any]]]:
+    """The signs that grow by their names: steps of the outline, kind and places (em), y down."""
+    return {
+        name: [
+            [kind, *([rounded(point.real), rounded(-point.imag)] for point in points)]
+            for kind, points in glyph(name).steps
+        ]
+        for name in glyph_names(STRETCHED)
+    }
