@@ -22,8 +22,6 @@ from variantgen.families.parameters.units import Unit, parse_value, unit
 from variantgen.families.quantities import Quantity, parse_quantity
 from variantgen.mechanism.motion import Field, Motion
 from variantgen.mechanism.solving.solve import solve
-from variantgen.mechanism.turn.timed_motion import timed_motion
-from variantgen.mechanism.turn.timed_values import first_zero
 
 _KEY = "laws.instant"
 _HOW = 'write it like "v_B = 2 m/s" or, with a law phi, "phi = 120 deg"'
@@ -93,6 +91,9 @@ def with_found_instant(form: Form) -> Form:
 
 def _found(form: Form, event: FoundInstant) -> float:
     """The first instant (s) after the beginning, or infinity."""
+    from variantgen.mechanism.turn.timed_motion import timed_motion  # few forms have one
+    from variantgen.mechanism.turn.timed_values import first_zero
+
     value = unit(event.unit).to_si(event.value)
     scene = form.sample
     assert scene.course is not None and form.interval is not None, "there is an interval"

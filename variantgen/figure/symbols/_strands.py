@@ -126,7 +126,7 @@ class _Strands:
         }
 
     def _sheaves(self, number: int, point: str) -> list[StrandEnd]:
-        """The ends of strands of a rope at a block that it passes, in their order; none for a rope that only ends there."""
+        """The ends of strands of a rope at a block that it passes, in order; none for a rope that only ends there."""
         path = self.ropes[number].path
         visits = [i for i, bend in enumerate(path) if bend.point == point and bend.along is not None]
         strand_ends = [StrandEnd(number, i, leaves) for i in visits for leaves in (False, True)]

@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import Any
 
 from variantgen.figure.drawing import LETTER, Drawing, Label
-from variantgen.outputs.typst import fragments
+from variantgen.outputs.typst.fragments import LetterLine
 from variantgen.outputs.typst.markup import Lettered, markup
 from variantgen.outputs.typst.set_formulas import set_label
 
@@ -24,7 +24,7 @@ class FigureLabels(Lettered):
 
         A label is the place of its middle (x, y in u, y down) and its markup.
         """
-        line = fragments.Line()
+        line = LetterLine()
         others: list[Any] = []
         x = 0.0  # where the line has come to, in em as all that follows
         for label in self._drawing.labels:

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from variantgen.outputs.typst import fragments
+from variantgen.outputs.typst.fragments import FULL, LetterLine, rounded
 from variantgen.outputs.typst.markup import Lettered, Piece
 from variantgen.outputs.typst.set_formulas import set_piece
 from variantgen.outputs.typst.widths import formula_width
@@ -64,11 +64,11 @@ class Line:
 
     def data(self, letters: bool) -> list[Any]:
         """Indent, scale, lowest and highest ink of what is taller than a line of text, fragments."""
-        found = fragments.Line()
+        found = LetterLine()
         for gap, sign, piece in self.items:
             found.space(gap)
             if sign:
-                found.letters(fragments.FULL, sign)
+                found.letters(FULL, sign)
                 found.space(_AFTER_SIGN if piece else 0.0)
             made = set_piece(piece) if piece and letters else None
             if made:
@@ -91,7 +91,7 @@ class Row(Lettered):
         known = letters and all(line.known for line in self.lines)
         return {
             "wide": self.wide,
-            "high": fragments.rounded(self.high) if known else -1,
+            "high": rounded(self.high) if known else -1,
             "lines": [line.data(letters) for line in self.lines],
         }
 

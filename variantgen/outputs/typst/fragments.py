@@ -34,7 +34,7 @@ Mark = tuple[float, str | float]
 Fragment = str | float | Letters | Mark | tuple[str]
 
 
-class Line:
+class LetterLine:
     """Fragments in the order in which they are set."""
 
     def __init__(self) -> None:
@@ -120,7 +120,7 @@ def fragments_of(lettering: Lettering) -> tuple[tuple[Fragment, ...], float]:
             words[-1].append(placed)
         else:
             words.append([placed])
-    line = Line()
+    line = LetterLine()
     end = 0.0
     for word in words:
         first, last = word[0], word[-1]

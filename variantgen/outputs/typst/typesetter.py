@@ -104,8 +104,8 @@ class Typesetter:
         return found
 
     def _asked(self, template: str, inputs: dict[str, str]) -> Any:
-        (told,) = self._told(inputs).values()
-        return json.loads(_asking(self.root, template, told).query("<found>", field="value", one=True))
+        (names,) = self._told(inputs).values()
+        return json.loads(_asking(self.root, template, names).query("<found>", field="value", one=True))
 
     def _inputs(self, form: str, data: str, known: Mapping[str, Any]) -> dict[str, str]:
         """What templates are told: the names of the files with the data, which are those of this process.
@@ -137,11 +137,11 @@ def _compiler(root: Path) -> typst.Compiler:
 
 
 @lru_cache(maxsize=2)
-def _asking(root: Path, template: str, told: str) -> typst.Compiler:
+def _asking(root: Path, template: str, names: str) -> typst.Compiler:
     """An engine that answers questions about one template: only a new one is given a template for that."""
     import typst
 
-    inputs = {"inputs": told}
+    inputs = {"inputs": names}
     return typst.Compiler(root / template, root=root, font_paths=[], ignore_system_fonts=True, sys_inputs=inputs)
 
 
