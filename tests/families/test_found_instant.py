@@ -96,3 +96,19 @@ def test_a_time_that_is_given_is_no_quantity(tmp_path: Path) -> None:
     parameter = ("[laws]", '[parameters]\nt = { unit = "s", values = [1] }\n[laws]')
     with pytest.raises(InputError, match="is given, so it cannot be asked"):
         load_family(_changed(tmp_path, parameter, (f"{_EVENT}\n", "")))
+
+
+def test_an_exam_has_the_instant_in_its_key(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "crank_turned.toml").write_text(SCENE.read_text("utf-8"), "utf-8")
+    exam, out = tmp_path / "exam.toml", tmp_path / "exam"
+    exam.write_text('title = "T"\nseed = 1\nlanguage = "en"\n[[problem]]\nfamily = "crank_turned.toml"\n', "utf-8")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(tmp_path)
+        assert (
+            main(["build", "exam.toml", "--variants", "1", "--format", "html", "--out", str(out), "--jobs", "1"]) == 0
+        )
+        assert main(["verify", str(out)]) == 0
+    capsys.readouterr()
+    key = (out / "key.csv").read_text("utf-8")
+    assert "instant_t" in key
+    assert "1.27789" in key  # sqrt(1 + 4 pi / 3) - 1

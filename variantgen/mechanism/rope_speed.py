@@ -65,8 +65,8 @@ class RopePiece:
             RopeWay(self.rope, self.rope.path[: self.number + 1], tuple(range(self.number + 1)), 1),
             RopeWay(self.rope, self.rope.path[: self.number : -1], tuple(range(last - 1, self.number - 1, -1)), -1),
         )
-        told = [way for way in ways if way.bends[0].body is None or way.bends[0].point in resting]
-        return min(told, key=lambda way: sum(bend.point not in resting for bend in way.bends[1:]), default=None)
+        known = [way for way in ways if way.bends[0].body is None or way.bends[0].point in resting]
+        return min(known, key=lambda way: sum(bend.point not in resting for bend in way.bends[1:]), default=None)
 
 
 def rope_pieces(scene: Scene) -> list[RopePiece]:

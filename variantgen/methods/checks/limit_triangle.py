@@ -19,11 +19,11 @@ def limit_triangle(book: Book) -> list[Item]:
     for pivot, centre, end, number in _corners(book):
         at_centre = book.values.get(Name("limit_corner", f"{pivot} {end}", number, body=centre))
         at_pivot = book.values[Name("limit_corner", f"{centre} {end}", number, body=pivot)]
-        reach = book.values[Name("limit", pivot + end, number)]
+        span = book.values[Name("limit", pivot + end, number)]
         if at_centre is not None:
-            heights = (reach * sin(at_pivot), book.geometry.length(centre, end) * sin(at_centre))
-            sides = [Value(None, "number", height.number(True), height, reach.exact) for height in heights]
-            facts: dict[str, Fact] = {"base": Segment(pivot, centre), "reach": reach, "arm": Segment(centre, end)}
+            heights = (span * sin(at_pivot), book.geometry.length(centre, end) * sin(at_centre))
+            sides = [Value(None, "number", height.number(True), height, span.exact) for height in heights]
+            facts: dict[str, Fact] = {"base": Segment(pivot, centre), "reach": span, "arm": Segment(centre, end)}
             return [Sentence(f"check.limit_triangle_{number}", facts, detail=False), Balance(*sides)]
     return []
 

@@ -40,8 +40,8 @@ class RepeatableCalculation:
         places: dict[int, int] = {}
         measures = []
         for value in in_order(answers):
-            if value.expression is None:
-                name = given.get(id(value))
+            name = given.get(id(value))
+            if value.expression is None or name is not None:  # an instant that is found is kept with all its digits
                 place = self.operations.constant(value.exact) if name is None else self.operations.named(name)
             else:
                 place = self.operations.of(value.expression, places)

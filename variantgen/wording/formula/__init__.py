@@ -1,6 +1,6 @@
 """The formula tree with the two markups that nearly everything needs: Typst and plain text."""
 
-from variantgen.wording.formula.plain_text import to_plain
+from variantgen.wording.formula.plain_text import is_number_of, to_plain
 from variantgen.wording.formula.tree import (
     GREEK,
     Absolute,
@@ -59,6 +59,7 @@ __all__ = [
     "SymbolProperty",
     "UnitText",
     "Vector",
+    "is_number_of",
     "letters",
     "to_plain",
     "to_typst",

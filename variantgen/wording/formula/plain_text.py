@@ -7,7 +7,7 @@ from functools import lru_cache
 
 from variantgen.wording.formula.markup import MARKS_ABOVE, Mark, Markup, Signs
 from variantgen.wording.formula.precedence import Between
-from variantgen.wording.formula.tree import GREEK, SIGNS, Formula, Index, Symbol, UnitText
+from variantgen.wording.formula.tree import GREEK, SIGNS, Formula, Index, Measured, Number, Sum, Symbol, UnitText
 
 _ABOUT = {"modulus": "|{}|", "angle": "∠({}, x)", "sense": "sgn {}"}
 _MINUS, _SPACE = "\N{MINUS SIGN}", "\N{NO-BREAK SPACE}"
@@ -18,6 +18,15 @@ _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 def to_plain(formula: Formula) -> str:
     """Plain text: ``ω_OA = 3 рад/с²``."""
     return _PLAIN.write(formula)
+
+
+def is_number_of(piece: Formula, result: Formula) -> bool:
+    """Whether a formula is the number of a result, without its unit."""
+    if not isinstance(result, Measured):
+        return False
+    if not isinstance(piece, Number | Measured) and not (isinstance(piece, Sum) and len(piece.terms) == 1):
+        return False
+    return to_plain(piece) in (to_plain(result), to_plain(result.number))
 
 
 class _Plain(Markup):

@@ -38,14 +38,13 @@ from variantgen.wording.formula import (
     Equation,
     Formula,
     Graph,
-    Measured,
     Number,
     Product,
     Sum,
     Surd,
     Symbol,
     Vector,
-    to_plain,
+    is_number_of,
 )
 from variantgen.wording.solution.document import (
     Block,
@@ -213,7 +212,7 @@ class Writer:
             pieces += [write(expression) for wanted, write in writes if wanted]
         elif isinstance(expression, Value) and item.symbolic and expression.name is not None:
             pieces.append(self.formulas.symbolic(expression))
-        kept = list(dict.fromkeys(piece for piece in pieces if not _is_number_of(piece, result)))
+        kept = list(dict.fromkeys(piece for piece in pieces if not is_number_of(piece, result)))
         closed = self._closed_form(value)
         sign = _EQUALS if value.comes_out or not kept else _NEARLY
         end = ((_EQUALS, closed), (_NEARLY, result)) if closed is not None else ((sign, result),)
@@ -291,12 +290,3 @@ class Writer:
 def _is_plain(expression: Expression) -> bool:
     """Whether an expression is a number or another value, so that it has no arithmetic to show."""
     return isinstance(expression, Constant | Value)
-
-
-def _is_number_of(piece: Formula, result: Formula) -> bool:
-    """Whether a formula is the number of a result, without its unit."""
-    if not isinstance(result, Measured):
-        return False
-    if not isinstance(piece, Number | Measured) and not (isinstance(piece, Sum) and len(piece.terms) == 1):
-        return False
-    return to_plain(piece) in (to_plain(result), to_plain(result.number))
