@@ -10,7 +10,6 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
 from functools import partial
 
 from variantgen.algebra.name import Name
@@ -27,7 +26,7 @@ from variantgen.figure.equations.body_board import (
 from variantgen.figure.equations.marked_geometry import MOST_ANGLES, draw_geometry
 from variantgen.figure.equations.surroundings import STUB
 from variantgen.figure.motion.centre_rays import draw_centre, plane_bodies
-from variantgen.figure.motion.contact_letters import ContactPoint, contact_points, draw_dot
+from variantgen.figure.motion.contact_letters import ContactPoint, draw_dot, touching_points
 from variantgen.figure.motion.motion_board import HEAD, MotionBoard
 from variantgen.figure.motion.motion_data import motion_data
 from variantgen.figure.motion.vectors import Vectors, vectors_of
@@ -67,27 +66,15 @@ def draw_body_figure(
     shown = named.telling(found.chain.points)
     telling = [name for name in now.scene.bodies[body] if name in shown]
     moving = {name: own[name] for name in telling if abs(own[name]) > _NOTHING * largest}
-    touching = _contacts(subject, now, named, body, kind) if order == 1 else {}
+    touching = {}
+    if order == 1 and kind in ("centre", "contacts"):
+        touching = touching_points(named.task, now, subject.mechanism.shown, body, resting=kind == "contacts")
     if kind == "contacts":
         moving = {name: vector for name, vector in moving.items() if name in {c.centre for c in touching.values()}}
     if not moving and not any(contact.velocity for contact in touching.values()):
         raise InputError(Problem("no point of the body moves", key="view", value=body))
     make = partial(BodyFigure, subject, named, now, body, order, moving, touching)
     return with_room(lambda room: first_roomy(_tries(partial(make, room), kind)))
-
-
-def _contacts(subject: FigureSubject, now: Instant, named: Vectors, body: str, kind: str) -> dict[str, ContactPoint]:
-    """The points at which a body touches others; beside its velocity centre those that move."""
-    if kind not in ("centre", "contacts"):
-        return {}
-    found = contact_points(named.task, now, subject.mechanism.shown, body)
-    fastest = max(abs(vector) for vector in now.v.values())
-    still = {name for name, contact in found.items() if abs(contact.velocity) <= _NOTHING * fastest}
-    return {
-        name: replace(contact, velocity=0j) if name in still else contact
-        for name, contact in found.items()
-        if name not in still or kind == "contacts"
-    }
 
 
 def _tries(make: Callable[[float], BodyFigure], kind: str) -> Iterator[Drawing]:

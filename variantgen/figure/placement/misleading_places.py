@@ -68,7 +68,7 @@ class MisleadingPlaces:
         return result
 
     def misread(self, places: Places, owner: NDArray[np.intp]) -> NDArray[np.bool_]:
-        """Which candidates for the name of a straight arrow have a box that is nearer to another straight arrow."""
+        """Which places would put the name of a straight arrow nearer to another one; shape ``(places,)``."""
         found = np.zeros(len(places), dtype=bool)
         mine = self._arrow_of[owner]
         of = np.flatnonzero(mine >= 0)
