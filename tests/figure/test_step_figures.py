@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from functools import cache
+from itertools import combinations, pairwise
 
 import pytest
 
@@ -180,6 +181,33 @@ def test_an_angle_is_drawn_as_large_as_its_value_says(name: str, form: str) -> N
         values = [text for label in figure.drawing.labels if (text := to_plain(label.formula)).endswith("°")]
         for value in values:
             assert any(abs(arc - float(value.removesuffix("°"))) < 0.02 for arc in arcs), (view, value)
+
+
+def gap(at: complex, start: complex, end: complex) -> float:
+    """The distance of a place from a straight line between two others."""
+    way = (end - start) / abs(end - start)
+    along = ((at - start) * way.conjugate()).real
+    return abs(at - start - min(max(along, 0.0), abs(end - start)) * way)
+
+
+@pytest.mark.parametrize(("name", "form"), FORMS)
+def test_an_arc_goes_from_one_line_to_another(name: str, form: str) -> None:
+    for view, figure in solved(name, form, "1")[2].items():
+        paths = [line.points for line in figure.drawing.lines if isinstance(line, Path)]
+        lines = [pair for points in paths for pair in pairwise(points) if pair[0] != pair[1]]
+        for arc in figure.drawing.lines:
+            if isinstance(arc, Arc) and arc.layer is Layer.MARK and not arc.full:
+                for end in (arc.at(0.0), arc.at(1.0)):
+                    assert min(gap(end, *pair) for pair in lines) < 1.2, (view, arc)  # u: a line beside the side
+
+
+def test_arcs_at_one_vertex_are_apart() -> None:
+    """Of a small angle, whose arc is wider, and of a larger one around it."""
+    for seed in SEEDS:
+        drawing = solved("arc_yoke", "", seed)[2]["velocity_equation:1"].drawing
+        arcs = [line for line in drawing.lines if isinstance(line, Arc) and line.layer is Layer.MARK]
+        for first, second in combinations(arcs, 2):
+            assert first.centre != second.centre or abs(first.radius - second.radius) > 3.0
 
 
 @pytest.mark.parametrize(

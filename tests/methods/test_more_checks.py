@@ -15,6 +15,8 @@ from variantgen.methods.checks.growth_of_speed import growth_of_speed
 from variantgen.methods.checks.limit_triangle import limit_triangle
 from variantgen.methods.checks.other_base_point import other_base_point
 from variantgen.methods.steps.step import NumberOf, VectorOf
+from variantgen.outputs.single.explanation import explain
+from variantgen.single import one_variant
 
 
 def test_a_point_of_a_body_in_translation_by_the_distance_from_the_axis() -> None:
@@ -131,3 +133,12 @@ def test_that_of_a_wheel_on_a_straight_rail_is_the_normal_one_that_has_a_line() 
     size = sentence.facts["size"]
     assert isinstance(size, NumberOf) and not size.worked_out
     assert size.value.exact == pytest.approx(2**2 / 0.5)
+
+
+@pytest.mark.parametrize(("angle", "across"), [(60, "117 · sin 60°"), (90, "(117 · 24.04 / 17) · cos 45°")])
+def test_the_arm_of_an_equilateral_triangle_is_the_radius(angle: int, across: str) -> None:
+    """``alpha MP = a_A MP / r`` with ``a_A = 3 (22 + 17) = 117``: MP = r at 60 degrees, r times the root of 2 at 90."""
+    data = {"r_1": 22, "r_2": 17, "alpha": angle, "omega_OA": 3, "epsilon_OA": 3}
+    text = str(explain(one_variant("planetary_train", data, form="ring"), language="en"))
+    check = " ".join(text.split("Check.")[1].split())
+    assert across in check, check

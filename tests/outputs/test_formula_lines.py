@@ -6,7 +6,7 @@ import json
 
 import typst
 
-from variantgen.outputs.typst.formula_lines import COLUMN, Row, in_lines
+from variantgen.outputs.typst.formula_lines import COLUMN, Line, Row, in_lines
 from variantgen.outputs.typst.markup import Piece, piece
 from variantgen.outputs.typst.typesetter import typesetter
 from variantgen.wording.formula import Dotted, Fraction, Number, Root, Symbol
@@ -84,13 +84,17 @@ def test_the_height_of_a_row_is_known_where_all_of_it_is_set() -> None:
 
 def test_known_heights_are_those_that_the_engine_measures() -> None:
     half = piece(Fraction(Number("1"), Number("2")))
+    over = Line(1.4)  # half an em beyond the column: more than widths are rounded by, and still one line
+    over.add(0.0, "", digits(25), 12.5)
+    over.add(0.25, "=", digits(22), 12.03)
     rows = [
         in_lines([[("", digits(5)), ("=", digits(5))]], "."),
         in_lines([[("", digits(20)), ("=", half)], [("", digits(20)), ("=", half)]], "."),
         in_lines([[("", digits(52))]], "."),
         in_lines([[("", piece(Root(Fraction(Number("1"), Number("2")))))]], "."),
+        Row(False, [over]),
     ]
-    assert [len(row.lines) for row in rows] == [1, 2, 1, 1]
+    assert [len(row.lines) for row in rows] == [1, 2, 1, 1, 1]
     told = [row.data(letters=True) for row in rows]
     with typesetter() as engine:
         (engine.root / "rows.json").write_text(json.dumps({"rows": told}), "utf-8")

@@ -133,11 +133,17 @@ def test_of_a_uniform_relative_motion_it_is_said_what_is_zero() -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "form"), [("parallelogram_with_disc", "moving_point"), ("ladder", "oblique"), ("guided_plate", "")]
+    ("name", "form"),
+    [
+        ("parallelogram_with_disc", "moving_point"),
+        ("ladder", "oblique"),
+        ("guided_plate", ""),
+        ("two_loop_mechanism", "inclined"),
+    ],
 )
 def test_a_letter_of_an_angle_is_introduced(name: str, form: str) -> None:
     named = 0
-    for variant in variants_of(name, form, 6)[0]:
+    for variant in variants_of(name, form, 13)[0]:
         text = str(explain(variant, language="en"))
         for line in re.finditer(r"\n +([βγδλψ]) = ", text):
             before = re.sub(r"\s+", " ", text[: line.start()])

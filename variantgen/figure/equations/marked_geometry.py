@@ -20,8 +20,8 @@ from variantgen.wording.solution.formulas import Formulas
 from variantgen.wording.solution.quantity_symbols import Symbols
 
 _ARC, _WIDER = 7.0, 3.2  # radius of an arc; how much more that of a further one at the same vertex has, u
-_REFERENCE = 10.5  # length of a side that no line carries, u
-_ON_SIDE = _ARC * np.array([0.6, 0.8, 1.0])  # where a line must lie on a side, u
+_BEYOND = 3.5  # how far a side that no line carries goes on beyond the arc, u
+_ON_SIDE = np.array([0.6, 0.8, 1.0])  # where a line must lie on a side, in radii of the arc
 _FOOT_SQUARE = 2.2  # the same at the foot of a perpendicular, u
 _SQUARE = 3.2  # side of the mark of a right angle, u
 _NARROW = math.radians(20)  # a smaller angle is marked farther from its vertex
@@ -42,7 +42,7 @@ def draw_geometry(board: MotionBoard, subject: FigureSubject, symbols: Symbols, 
     for foot in subject.geometry.feet:
         _draw_foot(board, foot)
     formulas = Formulas(symbols, subject.mechanism.variant.family.length_unit)
-    seen: list[tuple[complex, float, float]] = []
+    seen: list[tuple[complex, float, float, float]] = []
     for corner in (_placed(board, corner) for corner in subject.geometry.corners):
         own = corner.centre == body and "centre" in sketch.at
         key = "centre" if own and corner.at_centre else corner.vertex
@@ -55,16 +55,17 @@ def draw_geometry(board: MotionBoard, subject: FigureSubject, symbols: Symbols, 
         if sweep < 0:
             start, sweep = start + sweep, -sweep
         same = [other for other in seen if abs(other[0] - at) < 1e-6]
-        known = any(_gap(s, start) < _SAME and abs(w - sweep) < _SAME for _, s, w in same)
+        known = any(_gap(s, start) < _SAME and abs(w - sweep) < _SAME for _, s, w, _ in same)
         if known or sweep < _LEAST or len(seen) >= most:
             continue
-        seen.append((at, start, sweep))
-        _draw_sides(board, key, sides)
+        least = 1.4 * _ARC if sweep < _NARROW else _ARC
+        radius = max([least, *(other[-1] + _WIDER for other in same)])
+        seen.append((at, start, sweep, radius))
+        _draw_sides(board, key, sides, radius)
         if abs(sweep - math.pi / 2) < _RIGHT:
             first, second = (_SQUARE * side / abs(side) for side in sides)
             sketch.path((at + first, at + first + second, at + second), Layer.MARK, THIN)
             continue
-        radius = (1.4 * _ARC if sweep < _NARROW else _ARC) + _WIDER * len(same)
         sketch.arc(Arc(at, radius, Layer.MARK, THIN, start, sweep))
         sketch.label(along_arc(_name(corner, formulas), at, radius, start, sweep, inner=True))
         for part in (0.0, 0.25, 0.5, 0.75, 1.0):
@@ -137,20 +138,20 @@ def _name(corner: Corner, formulas: Formulas) -> Formula:
     return formulas.measured(corner.value) if name is None or name.kind == "angle" else formulas.symbol(corner.value)
 
 
-def _draw_sides(board: MotionBoard, key: str, sides: tuple[complex, complex]) -> None:
-    """Thin lines along the sides of an angle that nothing lies on."""
+def _draw_sides(board: MotionBoard, key: str, sides: tuple[complex, complex], radius: float) -> None:
+    """Thin lines along the sides of an angle that nothing lies on as far as its arc."""
     sketch = board.sketch
     drawn = sketch.obstacles.segments()
     for side in sides:
         way = side / abs(side)
         if sketch.is_taken(key, side, math.radians(2)):
-            places = np.asarray(sketch.at[key] + _ON_SIDE * way, dtype=np.complex128)
+            places = np.asarray(sketch.at[key] + radius * _ON_SIDE * way, dtype=np.complex128)
             gaps = distances_to_segments(places, drawn[:, :1], drawn[:, 1:])
             seen = bool(np.all(gaps.min(axis=0) < _ON_LINE))
         else:
             seen = False
         if not seen:
-            end = sketch.at[key] + _REFERENCE * way
+            end = sketch.at[key] + (radius + _BEYOND) * way
             sketch.path((sketch.at[key], end), Layer.GROUND, THIN)
 
 

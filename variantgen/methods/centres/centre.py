@@ -19,7 +19,7 @@ from variantgen.methods.geometry.geometry import Geometry, between, normal_angle
 from variantgen.methods.solution.book import Book
 from variantgen.methods.solution.named_angles import by_name, note_sum
 from variantgen.methods.solution.rays import Centre, CentreRay
-from variantgen.methods.steps.step import Derived, Fact, Point
+from variantgen.methods.steps.step import Derived, Fact, Point, triangle
 
 NEAR = 1e-9  # of the size of the mechanism: closer points are one
 SAME_ANGLE = 1e-7  # degrees within which two angles are one, but for rounding
@@ -156,17 +156,18 @@ def _simplest(book: Book, centre: Centre, point: str) -> _Triangle | None:
     return min(found, key=lambda triangle: triangle.shape, default=None)
 
 
-def _found(book: Book, centre: Centre, triangle: _Triangle, with_direction: bool) -> CentreRay:
+def _found(book: Book, centre: Centre, corners: _Triangle, with_direction: bool) -> CentreRay:
     """The third side of the triangle, and its direction from the point C."""
-    base, point, ray = triangle.base, triangle.point, triangle.ray
+    base, point, ray = corners.base, corners.point, corners.ray
     side = book.geometry.length(base, point)
     there, mark = _towards(book, centre, base, point)
-    shape = triangle.shape
+    shape = corners.shape
     facts: dict[str, Fact] = {
         "point": Point(point),
         "base": Point(base),
         "centre": centre.fact,
         "ray": centre.segment(base),
+        "triangle": triangle(point, base, centre.kind, centre.body),
     }
     book.say(f"centre.{_SHAPES[shape]}", **facts)
     spread = difference(centre.corner(base, mark), ray.angle, there)

@@ -170,7 +170,8 @@ def _about(
         across: Expression = epsilon.size * ray.arm
         match epsilon.size.expression:
             case Ratio(Value() as tangential, Value() as radius) if not _is_seen(epsilon.size, shown):
-                across = tangential * ray.arm / radius
+                same = abs(ray.arm.exact - radius.exact) <= _NOTHING * radius.exact  # of an equilateral triangle
+                across = tangential if same else tangential * ray.arm / radius
         found.append((across, Geometry.turned(ray.angle, -90.0 * epsilon.sense)))
     for size, angle in found:
         yield Term(Name("a", point), Value(None, "acceleration", size.number(True)), angle, Sentence("")), size

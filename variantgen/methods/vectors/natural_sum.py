@@ -140,9 +140,10 @@ def _axes(terms: Sequence[Term]) -> tuple[_Axis, _Axis]:
 
 
 def _named(book: Book, axes: tuple[_Axis, _Axis]) -> tuple[_Axis, _Axis]:
-    """The axes with names for angles that are long sums."""
+    """The axes with names for angles that are long sums, said to be those with the axis or what it is across."""
+    crossed = _line(axes[0])
     first, second = (
-        replace(axis, parts=tuple(named(book, share, _line(axis)) for share in axis.parts)) for axis in axes
+        replace(axis, parts=tuple(named(book, share, _line(axis), crossed) for share in axis.parts)) for axis in axes
     )
     return first, second
 
