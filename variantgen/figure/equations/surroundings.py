@@ -68,7 +68,7 @@ class Surroundings:
         starts = at[[0, *ends[:-1].tolist()]]
         gaps, to_others = _squares(places, self.points), _squares(places, self.others)
         foreign = np.minimum.reduce(to_others, axis=0, initial=STUB**2)
-        near, on_bodies = gaps <= foreign, self._on_bodies(places)
+        near, on_bodies, rolled = gaps <= foreign, self._on_bodies(places), self._on_rims(places)
         anywhere = np.logical_or.reduce(near, axis=0)
         # A long line passes by the points that it is not joined to.
         joined = np.minimum.reduceat(gaps, starts, axis=1) <= _JOINED**2
@@ -81,7 +81,9 @@ class Surroundings:
                 yield line._replace(weight=_light(line))
                 continue
             own = slice(at[first], at[end - 1] + 1)
-            yield from _kept(line, places[own], at[first:end] - at[first], close[own], inside[own])
+            # The hatching of what a wheel rolls on lies along its rim.
+            drawn = close[own] | rolled[own] if isinstance(line, Strokes) else close[own]
+            yield from _kept(line, places[own], at[first:end] - at[first], drawn, inside[own])
 
     @cached_property
     def _box(self) -> tuple[complex, complex]:
@@ -106,10 +108,14 @@ class Surroundings:
             found |= np.abs(places - point) <= within
         return found
 
-    def _on_bodies(self, places: Places) -> NDArray[np.bool_]:
+    def _on_rims(self, places: Places) -> NDArray[np.bool_]:
         found = np.zeros(len(places), dtype=bool)
         for centre, radius in self.rims:
             found |= np.abs(np.abs(places - centre) - radius) <= _NEAR
+        return found
+
+    def _on_bodies(self, places: Places) -> NDArray[np.bool_]:
+        found = self._on_rims(places)
         for member in self.members:
             if len(member) > 1:
                 ends = np.array(list(combinations(member, 2)), dtype=complex)
