@@ -274,3 +274,14 @@ def test_what_a_wheel_rolls_on_is_hatched_below_it(name: str, form: str, centre:
         assert len(near) > 3
         assert all(abs(end - place) > radius - 1e-6 for stroke in near for end in stroke)
     assert drawn > 1
+
+
+def test_the_foot_of_a_short_perpendicular_has_its_letter() -> None:
+    # BH is 3.5 cm beside AH of 62 cm: too short for the mark of a right angle.
+    motion, _, figures = solved("two_cranks_and_rod", "", "31331")
+    drawing = next(iter(figures.values())).drawing
+    a, b, o, c = (place_of(motion, name, drawing) for name in "ABOC")
+    level = a + ((b - a) / (c - o)).real * (c - o)
+    assert 1.8 < abs(b - level) < 3.2
+    (label,) = [label for label in drawing.labels if to_plain(label.formula) == "H"]
+    assert abs(label.at - level) < 6
