@@ -300,3 +300,32 @@ def test_in_the_limit_positions_crank_and_rod_are_in_line(form: str, view: str, 
             along = (far[1] - near[1]) / abs(far[1] - near[1])
             assert ((limit - b) * along.conjugate()).imag == pytest.approx(0, abs=1e-6)
     assert {"A_1", "B_1", "A_2", "B_2"} <= {to_plain(label.formula) for label in drawing.labels}
+
+
+@pytest.mark.parametrize(("name", "form", "centre"), [("rolling_wheel", "", "O"), ("wheel_with_rod", "central", "O")])
+def test_what_a_wheel_rolls_on_is_hatched_below_it(name: str, form: str, centre: str) -> None:
+    motion, _, figures = solved(name, form, "1")
+    drawn = 0
+    for drawing in (figure.drawing for figure in figures.values()):
+        place = place_of(motion, centre, drawing)
+        circles = [line for line in drawing.lines if isinstance(line, Arc) and line.full]
+        radius = max((rim.radius for rim in circles if abs(rim.centre - place) < 1e-6), default=0.0)
+        if radius < 5:  # no more than the hinge
+            continue
+        drawn += 1
+        strokes = [stroke for line in drawing.lines if isinstance(line, Strokes) for stroke in line.segments]
+        near = [s for s in strokes if max(abs(end - place) for end in s) < 1.1 * radius]
+        assert len(near) > 3
+        assert all(abs(end - place) > radius - 1e-6 for stroke in near for end in stroke)
+    assert drawn > 1
+
+
+def test_the_foot_of_a_short_perpendicular_has_its_letter() -> None:
+    # BH is 3.5 cm beside AH of 62 cm: too short for the mark of a right angle.
+    motion, _, figures = solved("two_cranks_and_rod", "", "31331")
+    drawing = next(iter(figures.values())).drawing
+    a, b, o, c = (place_of(motion, name, drawing) for name in "ABOC")
+    level = a + ((b - a) / (c - o)).real * (c - o)
+    assert 1.8 < abs(b - level) < 3.2
+    (label,) = [label for label in drawing.labels if to_plain(label.formula) == "H"]
+    assert abs(label.at - level) < 6

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import cmath
-from math import cos, pi, radians, sin
+from math import cos, hypot, pi, radians, sin
 
 import pytest
 
@@ -12,7 +12,7 @@ from variantgen.algebra.name import Name
 from variantgen.methods.checks.carrier_frame import from_the_arm
 from variantgen.methods.checks.other_axes import other_axes
 from variantgen.methods.checks.result_check import third_axis
-from variantgen.methods.steps.step import Balance, Body, Item, Sentence, VectorOf
+from variantgen.methods.steps.step import Balance, Body, Derived, Item, Sentence, VectorOf
 
 
 def parts(items: list[Item]) -> tuple[Sentence, float, float]:
@@ -58,6 +58,21 @@ def test_a_sum_of_three_vectors_has_its_magnitude_on_other_axes() -> None:
     both = [abs(9.8 + side * 4 * cmath.exp(1j * (pi / 2 - 1))) for side in (1, -1)]
     assert any(left == pytest.approx(magnitude) for magnitude in both)
     assert right == pytest.approx(left)
+
+
+def test_long_sums_have_lines_of_their_own() -> None:
+    """A pulley of 0.5 m between cords with v = 2, 1 and a = 3, 1 m/s^2 upwards: omega = 1, epsilon = 2, a_C = 2."""
+    data = {"R": 0.5, "alpha": 30, "v_A": 2, "v_B": 1, "a_A": 3, "a_B": 1}
+    words = {"way_A": 1, "way_B": 1, "place": 1}
+    book = worked_book("movable_pulley", "two_loads", "a_M", **data, **words)
+    match other_axes(book, book.steps):
+        case [Sentence("check.other_axes_apart"), Derived(along), Derived(across), Balance(left, right)]:
+            # M is 30 degrees to the left of the highest point: omega^2 R = 0.5 to C, epsilon R = 1 to the right.
+            own = (2 - 0.5 * cos(pi / 6) + 1 * sin(pi / 6), 1 * cos(pi / 6) + 0.5 * sin(pi / 6))
+            assert (along.exact, across.exact) == pytest.approx(own)
+            assert left.exact == pytest.approx(right.exact) == pytest.approx(hypot(along.exact, across.exact))
+        case found:
+            raise AssertionError(found)
 
 
 def test_vectors_that_lie_on_the_axes_have_no_other_ones() -> None:

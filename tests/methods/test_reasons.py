@@ -147,6 +147,17 @@ def test_why_a_component_of_an_acceleration_vanishes() -> None:
     assert "relative.no_coriolis_omega" not in said("slotted_rocker", "swinging", "a_rel_A epsilon_CB", OA=30, OC=60)
 
 
+def test_why_a_rotation_about_a_pole_has_no_tangential_part() -> None:
+    # A falling rod turns uniformly; so does a roller with the angular acceleration 0, of which the tangent tells too.
+    found = sentences("falling_rod", "", "a_A a_B")
+    told = [s.facts["vector"] for s in found if s.key == "rates.no_tangential"]
+    assert told == [Name("a", end, "C", "tau") for end in "AB"]
+    told = said("roller_on_drum", "outside", "a_O a_M", epsilon_2=0)
+    assert told.count("contact.uniform_centre") == told.count("rates.no_tangential") == 1
+    told = said("roller_on_drum", "outside", "a_O a_M", epsilon_2=4)
+    assert not {"contact.uniform_centre", "rates.no_tangential"} & set(told)
+
+
 @pytest.mark.parametrize(
     ("family", "form", "key"),
     [("disc_on_arc_with_rod", "outside", "rolling.contact"), ("wheel_with_rod", "", "rolling.contact_at")],

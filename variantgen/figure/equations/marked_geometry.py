@@ -24,6 +24,7 @@ _BEYOND = 3.5  # how far a side that no line carries goes on beyond the arc, u
 _ON_SIDE = np.array([0.6, 0.8, 1.0])  # where a line must lie on a side, in radii of the arc
 _FOOT_SQUARE = 2.2  # the same at the foot of a perpendicular, u
 _SQUARE = 3.2  # side of the mark of a right angle, u
+_LEAST_LEG = 1.8  # a perpendicular that is shorter, or has its foot nearer to a point, is not drawn, u
 _NARROW = math.radians(20)  # a smaller angle is marked farther from its vertex
 _LEAST = math.radians(4)  # a smaller one not at all
 _SAME = math.radians(1)
@@ -117,7 +118,8 @@ def _draw_foot(board: MotionBoard, foot: MarkedFoot) -> None:
     down = sketch.at[foot.apex] - at
     ends = sorted((sketch.at[name] for name in foot.line), key=lambda place: abs(place - at))
     along = ends[-1] - at
-    if abs(down) < _SQUARE or abs(along) < _SQUARE:
+    shorter = min(abs(down), abs(along))
+    if shorter < _LEAST_LEG:
         return
     sketch.path((sketch.at[foot.apex], at), Layer.GROUND, THIN, dash="dashed")
     sketch.occupy(foot.apex, -down)
@@ -126,8 +128,9 @@ def _draw_foot(board: MotionBoard, foot: MarkedFoot) -> None:
         sketch.path((ends[0], at), Layer.GROUND, THIN, dash="dashed")
     if len(foot.line) == 2:
         _draw_segments(board, [(foot.line[0], foot.line[1])])
-    first, second = (_FOOT_SQUARE * way / abs(way) for way in (down, along))
-    sketch.path((at + first, at + first + second, at + second), Layer.MARK, THIN)
+    if shorter >= _SQUARE:
+        first, second = (_FOOT_SQUARE * way / abs(way) for way in (down, along))
+        sketch.path((at + first, at + first + second, at + second), Layer.MARK, THIN)
     sketch.circle(at, 0.35, Layer.HINGE, fill="ink")
     sketch.label(around(Symbol(foot.letter), at, 0.5))
 

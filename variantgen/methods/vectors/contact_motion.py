@@ -7,10 +7,11 @@ tangential components stand in the same relation, because the radii do not chang
 from __future__ import annotations
 
 from variantgen.algebra.expression import Value
+from variantgen.algebra.name import Name
 from variantgen.methods.groups.contact import ContactSide, contact_name
 from variantgen.methods.groups.group import ContactGroup
 from variantgen.methods.solution.book import Book
-from variantgen.methods.steps.step import Body, Point, VectorOf
+from variantgen.methods.steps.step import Body, Fact, Point, VectorOf
 from variantgen.methods.vectors.contact_parts import (
     Parts,
     centre_parts,
@@ -25,7 +26,7 @@ from variantgen.methods.vectors.contact_parts import (
     sides_of,
     views_of,
 )
-from variantgen.methods.vectors.points import vector
+from variantgen.methods.vectors.points import turns_uniformly, vector
 from variantgen.methods.vectors.turning_speed import turning_speed
 from variantgen.methods.vectors.two_contacts import solve_two_contacts
 
@@ -80,7 +81,17 @@ def _solve_centre(book: Book, group: ContactGroup, known: ContactSide, sought: C
             say_sum(book, sought)
             turning = turning_speed(book, name, rate.size, radius)
             parts.append((-rate.sense * sought.lever, turning))
+        elif sought.lever and book.order == 2:
+            _say_uniform(book, sought)
         if sought.lever:
             enter_with_way(book, group, sought, parts, list(zip(names, parts, strict=False)))
         else:
             enter_centre(book, group, sought, parts)
+
+
+def _say_uniform(book: Book, side: ContactSide) -> None:
+    """Why the centre of a wheel that turns has the acceleration of its point of contact along the tangent."""
+    if side.radial is not None and book.omega[side.body].sense:
+        key = "contact.uniform_centre" if turns_uniformly(book, side.body) else "contact.uniform_centre_now"
+        facts: dict[str, Fact] = {"body": Body(side.body), "epsilon": Name("epsilon", side.body)}
+        book.say(key, contact=Point(side.name), centre=Point(side.centre), **facts)

@@ -44,7 +44,11 @@ def rotation(book: Book, point: str, pole: str, body: str, name: Name) -> Known:
         found = (book.term(name.component("n"), size, angle, "towards", start=Point(point), end=Point(pole)),)
     elif name.about:
         book.say("rates.no_normal", omega=Name("omega", body), vector=name.component("n"))
-    return found + _across(book, name.component("tau"), book.epsilon[body], arm, (point, pole), body)
+    rate = book.epsilon[body]
+    if not rate.sense and name.about:
+        key = "rates.no_tangential" if turns_uniformly(book, body) else "rates.no_tangential_now"
+        book.say(key, body=Body(body), epsilon=Name("epsilon", body), vector=name.component("tau"))
+    return found + _across(book, name.component("tau"), rate, arm, (point, pole), body)
 
 
 def _across(book: Book, name: Name, rate: Rate, arm: Value, ends: tuple[str, str], body: str) -> Known:
@@ -143,12 +147,12 @@ def _say_ways(book: Book, point: str, pivot: str, body: str) -> None:
     facts |= {"normal": VectorOf(name.component("n")), "tangential": VectorOf(name.component("tau"))}
     facts |= {"body": Body(body), "omega": Name("omega", body), "epsilon": Name("epsilon", body)}
     key = book.letter if len(terms) > 1 or book.order == 1 else terms[0].name.part
-    if key == "n" and not _turns_uniformly(book, body):
+    if key == "n" and not turns_uniformly(book, body):
         key = "n_now"
     book.say(f"points.about_pivot_{key}", **facts)
 
 
-def _turns_uniformly(book: Book, body: str) -> bool:
+def turns_uniformly(book: Book, body: str) -> bool:
     """Whether a body without angular acceleration is driven, and not by a function of time."""
     for template, driver in zip(book.task.form.drivers, book.task.scene.drivers, strict=True):
         if driven_body(driver) == body:
