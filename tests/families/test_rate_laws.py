@@ -108,7 +108,7 @@ def test_a_velocity_leads_to_the_motion(
     [
         ('v = "10 - 0.2*s"', 9.6, -0.2 * 9.6),
         ('a = "4*s", start = { s = 0, v = 3 }', 5, 8),  # v^2 = 9 + 4 s^2
-        ('a = "-4*s", start = { s = 0, v = -5 }', -3, -8),
+        ('a = "-4*s", start = { s = 2.5, v = -4 }', -5, -8),  # v^2 = 16 + 4 (2.5^2 - s^2)
         ('a = "-0.5*v", start = { s = 0, v = 9 }', 8, -4),  # v = 9 - 0.5 s
         ('a = "-0.4*v^2", start = { s = 0, v = 8 }', 8 * math.exp(-0.8), -0.4 * 64 * math.exp(-1.6)),
         # dv^2/ds = 2 (9.81 - 0.02 v^2), by an integrator
@@ -298,6 +298,16 @@ def test_a_start_by_a_parameter(tmp_path: Path, capsys: pytest.CaptureFixture[st
     assert "ṡ_0 = u" in shown
 
 
+def test_values_that_do_not_come_to_the_place_are_no_contradiction(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """``v^2 = u^2 - 4 s^2``: with 3 m/s it turns back before 2 m, and the others stay."""
+    parameters = f'{BY_PLACE}\nu = {{ unit = "m/s", values = [3, 5, 8] }}'
+    path = _written(tmp_path, 'a = "-4*s", start = { s = "0 m", v = "u" }', parameters)
+    assert main(["solve", path, "--set", "u=5", "--ask", "v_B.x"]) == 0
+    assert "v_B.x = 3 m/s" in _plain(capsys)
+
+
 @pytest.mark.parametrize("parameter", [BY_TIME, BY_PLACE])
 def test_an_acceleration_is_told_where_velocities_depend_on_it(
     parameter: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
@@ -320,6 +330,19 @@ def test_an_acceleration_is_told_where_velocities_depend_on_it(
         ('a = "v^2 + t", start = { s = 0, v = 9 }', BY_TIME, "laws.s", "does not come from its start"),
         ('v = "sqrt(1 - t)", start = { s = 0 }', BY_TIME, "laws.s", "does not come from its start"),
         ('a = "-4*s", start = { s = 0, v = 3 }', BY_PLACE, "laws.s", "its velocity comes to zero before"),
+        # Thrown upwards it comes to a place below with a velocity downwards, not with that of the way there.
+        ('a = "-9.8", start = { s = 4, v = 5 }', BY_PLACE, "laws.s", "or leads away"),
+        ('a = "4*s", start = { s = 0, v = 0 }', BY_PLACE, "laws.s", "its velocity comes to zero before"),
+        (
+            'a = "-4*s", start = { s = "0 m", v = "u" }',
+            f'{BY_PLACE}\nu = {{ unit = "m/s", values = [-8, 7, 8] }}',
+            "laws.s.start",
+            "now forwards, now backwards",
+        ),
+        # Through a pole, which none of the places that are looked at need meet.
+        ('v = "1/(t - 1.01)^2", start = { s = 0 }', BY_TIME, "laws.s", "does not come from its start"),
+        ('v = "s^2", start = { s = 0.99 }', BY_TIME, "laws.s", "does not come from its start"),
+        ('a = "-1/(s - 1.01)^3", start = { s = 0, v = 1 }', BY_PLACE, "laws.s", "does not come from its start"),
         ("v = 1, a = 2, start = { s = 0 }", BY_TIME, "laws.s", "one rate"),
         ('omega = "2"', BY_PLACE, "laws.s", "an angle"),
         ('v = "2*v", start = { s = 0 }', BY_TIME, "laws.s", "cannot depend on itself"),
