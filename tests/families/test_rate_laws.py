@@ -288,6 +288,18 @@ def test_a_sheet_tells_the_rate_and_the_start(tmp_path: Path, capsys: pytest.Cap
     assert main(["check", path]) == 0
 
 
+def test_a_start_is_told_in_the_unit_in_which_it_is_short(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """30 rpm are pi rad/s; and what the law says of the crank, the angle of OA, stands on the sheet once."""
+    laws = 'phi = { epsilon = "-2*omega", start = { phi = "10 deg", omega = "30 rpm" } }'
+    path = tmp_path / "crank.toml"
+    path.write_text(CRANK.format(parameter='phi = { unit = "deg", values = [30] }', laws=laws), encoding="utf-8")
+    for language, unit in (("en", "rpm"), ("ru", "об/мин")):
+        assert main(["show", str(path), "--ask", "v_B", "--lang", language]) == 0
+        shown = " ".join(_plain(capsys).split())
+        assert f"φ̇_0 = 30 {unit}" in shown
+        assert shown.count("∠(OA, x)") == 1
+
+
 def test_a_start_by_a_parameter(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     parameters = f'{BY_TIME}\nu = {{ unit = "m/s", values = [8] }}'
     path = _written(tmp_path, 'a = "-0.4*v", start = { s = "2 m", v = "u" }', parameters)
