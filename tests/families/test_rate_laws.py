@@ -210,6 +210,18 @@ def test_a_crank_between_two_positions(tmp_path: Path, capsys: pytest.CaptureFix
     )
 
 
+def test_a_sheet_of_an_interval_backwards(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    laws = 'phi = { omega = "-100 rpm" }\ninterval = ["90 deg", "30 deg"]'
+    path = tmp_path / "crank.toml"
+    path.write_text(CRANK.format(parameter='phi = { unit = "deg", values = [60] }', laws=laws), encoding="utf-8")
+    for language in ("en", "ru"):
+        assert main(["show", str(path), "--ask", "duration_B", "--lang", language, "--explain"]) == 0
+        assert "90 ≥ φ ≥ 30°" in _plain(capsys)
+        assert (
+            main(["show", str(path), "--ask", "duration_B", "--lang", language, "--out", str(tmp_path / "p.pdf")]) == 0
+        )
+
+
 def test_a_crank_with_an_angular_acceleration_of_the_time(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """``epsilon = 6 t`` from rest at 20 degrees: ``phi = t^3 + 20 degrees``."""
     laws = 'time = "t"\nphi = { epsilon = "6*t", start = { phi = "20 deg", omega = 0 } }'
