@@ -56,6 +56,7 @@ COLUMNS = {
     "no check": "solutions without a check, %",
     "figures": "figures",
     "narrow": "of them on paper narrower than half the width of the text, %",
+    "room left": "of them narrower and lower than that, %",
     "small index": "of them with indices below 7 pt, %",
     "short arrows": "arrows shorter than twice their heads",
     "misread": "labels nearer to another arrow than to their own",
@@ -67,6 +68,7 @@ SHARES = {  # of what; "" of the texts
     "coordinates": "",
     "no check": "",
     "narrow": "figures",
+    "room left": "figures",
     "small index": "figures",
 }
 HALF = 85.0  # mm: a column of the page
@@ -214,9 +216,11 @@ def of_figures(figures: SolutionFigures, names: Sequence[str]) -> dict[str, floa
     figures.draw(names)
     shown = [figure for row in figures.rows() for figure in row if figure.name != STATEMENT]
     drawings = [figure.drawing for figure in shown]
+    sizes = [(figure.unit * figure.drawing.width, figure.unit * figure.drawing.height) for figure in shown]
     return {
         "figures": len(shown),
-        "narrow": sum(drawing.width * figure.unit < HALF for figure, drawing in zip(shown, drawings, strict=True)),
+        "narrow": sum(width < HALF for width, _ in sizes),
+        "room left": sum(max(size) < HALF for size in sizes),
         "small index": sum(round(f.index_size, 1) < LEAST_INDEX for f in shown if not f.name.endswith("_plan")),
         "short arrows": sum(len(short_arrows(drawing)) for drawing in drawings),
         "misread": sum(len(misread_labels(drawing)) for drawing in drawings),

@@ -65,4 +65,11 @@ def test_figures_are_counted_as_they_are_on_paper() -> None:
     plan = replace(short, name="velocity_plan", unit=1.25)  # 100 mm
     shown = SimpleNamespace(draw=lambda names: None, rows=lambda: ((short, plan),))
     counted = solution_texts.of_figures(shown, [])
-    assert counted == {"figures": 2, "narrow": 1, "small index": 1, "short arrows": 2, "misread": 0}
+    assert counted == {
+        "figures": 2,
+        "narrow": 1,
+        "room left": 1,
+        "small index": 1,
+        "short arrows": 2,
+        "misread": 0,
+    }

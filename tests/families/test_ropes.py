@@ -155,3 +155,16 @@ def test_a_belt_comes_back_as_it_left(tmp_path: Path, capsys: pytest.CaptureFixt
         assert main(["solve", str(scene)]) == code
         said = capsys.readouterr()
         assert ("omega_B = 3 rad/s" in said.out) if code == 0 else ("contradict each other" in said.err)
+
+
+@pytest.mark.parametrize(
+    ("language", "said", "unsaid"),
+    [("en", "The belt neither stretches nor slips.", "the cord"), ("ru", "Ремень нерастяжим", "нити")],
+)
+def test_what_comes_back_is_called_a_belt(
+    language: str, said: str, unsaid: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    scene = Path(__file__).parents[1] / "kind_scenes" / "belt_over_four.toml"
+    assert main(["solve", str(scene), "--ask", "omega_B", "--explain", "--lang", language]) == 0
+    text = capsys.readouterr().out
+    assert said in text and unsaid not in text

@@ -9,6 +9,7 @@ import pytest
 
 import variantgen
 from variantgen.check.family import check_family
+from variantgen.cli import main
 from variantgen.families.asking import read_ask
 from variantgen.variants.printed_data import given_names, max_distinct_problems
 
@@ -110,3 +111,24 @@ def test_what_no_calculation_by_hand_leads_to_need_not_be_short(asked, tmp_path)
     begun = table["AB"] + np.where(strokes % 2 == 0, 1, -1) * table["OA"]
     way = 2 * strokes * table["OA"] + np.abs(place - begun)
     assert found.answers[asked] == pytest.approx({"t_zero_v_B": rest, "way_B": way}[asked])
+
+
+@pytest.mark.parametrize(("language", "said"), [("en", "integrated numerically"), ("ru", "численное интегрирование")])
+def test_a_family_tells_what_a_law_without_a_formula_leads_to(
+    language: str, said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """``epsilon = -3.3 (1 + sin^2 phi)`` from 5 rad/s to 60 degrees: 25 - 6.6 (phi + (phi - sin phi cos phi) / 2)."""
+    law = 'phi = { epsilon = "-brake * (1 + sin(phi)^2)", start = { phi = 0, omega = "5 rad/s" } }'
+    text = FAMILY.replace("ASKED", '"v_B"').replace('time = "t"\nphi = "epsilon * t^2 / 2"\ninterval = [0, 4]', law)
+    brake = 'brake = { unit = "rad/s^2", values = [3.3] }\nphi = { unit = "deg", values = [60] }\n'
+    kept = [line for line in text.splitlines() if not line.startswith(("t = {", "epsilon = {"))]
+    folder = tmp_path / "braked"
+    folder.mkdir()
+    (folder / "family.toml").write_text("\n".join(kept).replace("\n\n[laws]", f"\n{brake}\n[laws]"), "utf-8")
+    for name in ("en", "ru"):
+        (folder / f"statement.{name}.j2").write_text("{{ OA }} {{ AB }} {{ brake }} {{ phi }}\n", "utf-8")
+    assert main(["solve", "braked", "--families", str(tmp_path), "--explain", "--lang", language]) == 0
+    phi = np.pi / 3
+    omega = np.sqrt(25 - 6.6 * (phi + (phi - np.sin(phi) * np.cos(phi)) / 2))
+    found = " ".join(capsys.readouterr().out.replace(",", ".").split())
+    assert said in found and f"= {omega:.3f}" in found

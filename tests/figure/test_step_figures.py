@@ -10,7 +10,7 @@ import pytest
 
 from tests.figure.reading import FORMS, arrows, dots
 from variantgen.exam.solution_figures import STATEMENT, SolutionFigure, SolutionFigures, view_order
-from variantgen.figure.drawing import Arc, Drawing, Layer, Path
+from variantgen.figure.drawing import Arc, Drawing, Layer, Path, Strokes
 from variantgen.figure.faults import figure_faults, misread_labels, short_arrows
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.solution_options import SolutionOptions
@@ -22,6 +22,7 @@ from variantgen.wording.solution.document import SolutionText
 from variantgen.wording.solution.explain import explain
 
 SEEDS = ("1", "2", "3")
+HALF = 85.0  # mm, half the width of the text
 SHORTEST, UNIT = 8.0, 0.83  # mm on paper, where a unit is this long; most figures are larger
 LANGUAGE = load_language("en")
 
@@ -52,6 +53,21 @@ def test_every_arrow_is_seen_and_its_name_stands_with_it(name: str, form: str, s
         assert not short_arrows(figure.drawing), view
         assert not misread_labels(figure.drawing), view
         assert not [fault for fault in figure_faults(figure.drawing) if "too" not in fault], view
+
+
+def test_figures_are_half_as_wide_as_the_text_unless_they_are_tall() -> None:
+    shown = [figure for name, form in FORMS for figure in solved(name, form, "1")[2].values()]
+    sizes = [(figure.unit * figure.drawing.width, figure.unit * figure.drawing.height) for figure in shown]
+    small = [(figure.name, size) for figure, size in zip(shown, sizes, strict=True) if max(size) < HALF]
+    assert len(small) < 0.05 * len(shown), small
+    assert all(round(figure.index_size, 1) >= 7.0 for figure in shown if not figure.name.endswith("_plan"))
+
+
+def test_a_wheel_is_drawn_with_the_hatched_ground_below_it() -> None:
+    drawing = solved("spool", "", "1")[2]["acceleration_equation:1"].drawing
+    low = min(line.centre.imag - line.radius for line in drawing.lines if isinstance(line, Arc) and line.full)
+    hatched = [line for line in drawing.lines if isinstance(line, Strokes)]
+    assert any(abs(start.imag - low) < 0.1 for line in hatched for start, _ in line.segments)
 
 
 @pytest.mark.parametrize("seed", SEEDS)

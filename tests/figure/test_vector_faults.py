@@ -10,7 +10,7 @@ from variantgen.check import explained
 from variantgen.check.report import Report
 from variantgen.exam import solution_figures
 from variantgen.figure.drawing import Drawing, Label, Layer
-from variantgen.figure.faults import vector_faults
+from variantgen.figure.faults import buried_heads, vector_faults
 from variantgen.figure.sketch import Sketch
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.variant import solve_variants
@@ -27,6 +27,28 @@ def arrow(start: complex, tip: complex) -> Drawing:
 @pytest.mark.parametrize(("length", "faulty"), [(5.0, True), (5.4, False), (12.0, False)])
 def test_an_arrow_is_at_least_twice_its_head(length: float, faulty: bool) -> None:
     assert bool(vector_faults(arrow(0j, complex(length)))) == faulty
+
+
+def test_the_head_of_an_arc_of_rotation_is_no_short_arrow() -> None:
+    sketch = Sketch({}, 1.0)
+    sketch.path((8 + 0j, 20 + 0j), Layer.VECTOR)
+    sketch.arc_arrow(0j, 8.0, -1.0, 1.0)  # its head begins where the line does
+    assert not vector_faults(sketch.finish({}))
+
+
+def test_heads_on_what_belongs_to_other_points_are_found() -> None:
+    def drawing(tip: complex) -> Drawing:
+        sketch = Sketch({}, 1.0)
+        sketch.circle(20 + 0j, 1.1, Layer.HINGE, fill="paper")
+        for start, end in ((0j, tip), (0j, 12j), (10 + 20j, 30 + 20j)):
+            sketch.arrow(start, end, Layer.SLIDER)
+        return sketch.finish({})
+
+    for tip in (20.5 + 0j, 20 + 19.5j):  # on the hinge; on the arrow that begins elsewhere
+        (found,) = buried_heads(drawing(tip))
+        assert abs(found[1] - found[0] - tip) < 1e-9
+    for tip in (17 + 0j, 20 + 17j, 1 + 11j):  # before both; beside an arrow of the same point
+        assert not buried_heads(drawing(tip))
 
 
 def test_a_name_nearer_to_another_arrow_is_misread() -> None:

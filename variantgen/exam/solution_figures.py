@@ -33,8 +33,9 @@ LEAST_INDEX = 7.0  # size of the indices of figures, pt
 _MOST = 3  # figures in a row
 # mm per unit: of the statement's figure usually, and beside others at least; of the others at least, so that an index
 # has 7 pt, and at most, so that no letter is much larger than the text.
-_STATEMENT_UNIT, _SMALLEST, _UNIT, _LARGEST = 0.62, 0.5, 0.83, 1.0
-_WIDE, _HIGH = 86.0, 92.0  # mm: a column of the text, which figures fill if they become no higher than this
+_STATEMENT_UNIT, _SMALLEST, _UNIT, _LARGEST = 0.62, 0.5, 0.83, 1.05
+# mm: a column of the text, which figures fill if they become no higher than this; how high those are that would.
+_WIDE, _HIGH, _TALL = 86.0, 96.0, 88.0
 _PLAN_UNIT = MILLIMETRES  # mm per unit of a plan: lengths that the text tells are measured in it
 _COLUMN = 87.0  # mm: no figure is wider
 _POINTS = 72 / 25.4  # in a millimetre
@@ -192,8 +193,10 @@ class SolutionFigures:
         if name.endswith("_plan"):
             return _PLAN_UNIT
         drawing = self._drawn[name]
-        usual = max(_UNIT, min(_LARGEST, _WIDE / drawing.width, _HIGH / drawing.height))
-        return round(min(usual, _COLUMN / drawing.width), 3)
+        unit = _WIDE / drawing.width
+        if unit * drawing.height > _HIGH:
+            unit = min(unit, _TALL / drawing.height)
+        return round(min(max(_UNIT, min(_LARGEST, unit)), _COLUMN / drawing.width), 3)
 
 
 def solution_figure_faults(

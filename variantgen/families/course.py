@@ -12,16 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.families.parameters.expressions import FamilyExpression
+from variantgen.families.ways import Ways
 from variantgen.mechanism.arithmetic import Real
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.scene import Scene
-
-_PRECISE, _NOTHING = 1e-12, 1e-15  # relative and absolute error of a step
-_FAR = 1e3  # times the places of the interval: what goes so far goes away
-_SHARES = (0.0, 0.137, 0.381, 0.618, 0.871, 1.0)  # of the way: with one acceleration there it is the same all along
-_SAME = 1e-14  # relative
-_STEPS = 4  # of that time, at least
-_LONGEST = 1e3  # times the interval through the velocities of its ends: what takes longer never comes
 
 
 @dataclass(frozen=True)
@@ -136,8 +130,18 @@ class FormByPlace:
         return self._ways.end
 
     @cached_property
-    def _ways(self) -> _Ways:
-        return _Ways(self)
+    def _ways(self) -> Ways:
+        size = max(np.size(value) for value in (*self.parameters.values(), self.first, self.last))
+        first, last = (
+            np.array(np.broadcast_to(np.asarray(end, dtype=float), (size,))) for end in (self.first, self.last)
+        )
+
+        def rates(variants: NDArray[np.intp], places: NDArray[np.float64]) -> tuple[Any, Any]:
+            data = {name: value[variants] if np.ndim(value) else value for name, value in self.parameters.items()}
+            velocity, acceleration = self.rates(data, places)
+            return np.broadcast_to(velocity, places.shape), np.broadcast_to(acceleration, places.shape)
+
+        return Ways(rates, first, last)
 
     def at(self, variants: NDArray[np.intp], times: NDArray[np.float64]) -> Scene:
         """The scenes of variants at instants (s), shape (M,) each, as one batch."""
@@ -179,76 +183,3 @@ def _cut(
     frame = course.frame
     frame = Frame(cut(frame.turn), cut(frame.sense)) if np.ndim(frame.turn) else frame
     return {name: cut(value) for name, value in course.parameters.items()}, frame, cut(ends[0]), cut(ends[1])
-
-
-class _Ways:
-    """The place by the time of each variant; ``end`` (s) is infinite where the last place is not reached."""
-
-    def __init__(self, course: FormByPlace) -> None:
-        sizes = [np.size(value) for value in (*course.parameters.values(), course.first, course.last)]
-        self._size = max(sizes)
-        self._course = course
-        self._first, self._last = (np.broadcast_to(end, (self._size,)) for end in (course.first, course.last))
-        places = [self._first + share * (self._last - self._first) for share in _SHARES]
-        rates = [course.rates(course.parameters, place) for place in places]
-        velocities, accelerations = (
-            np.array([np.broadcast_to(np.asarray(rate[k], dtype=float), (self._size,)) for rate in rates])
-            for k in (0, 1)
-        )
-        self._velocity, self._acceleration = velocities[0], accelerations[0]
-        uniform = np.ptp(accelerations, axis=0) <= _SAME * np.max(np.abs(accelerations), axis=0)
-        with np.errstate(all="ignore"):  # by the mean of both velocities
-            end = np.where(uniform, 2.0 * (self._last - self._first) / (velocities[0] + velocities[-1]), np.inf)
-        self._solved: dict[int, Any] = {}
-        for variant in np.flatnonzero(~uniform).tolist():
-            end[variant] = self._follow(variant, float(self._velocity[variant]))
-        self.end = np.where(end > 0, end, np.inf)
-
-    def _row(self, variant: int) -> dict[str, float]:
-        parameters = self._course.parameters
-        return {name: float(value[variant] if np.ndim(value) else value) for name, value in parameters.items()}
-
-    def _follow(self, variant: int, velocity: float) -> float:
-        """The instant at which a variant is at the last place."""
-        from scipy.integrate import solve_ivp
-
-        row, first, last = self._row(variant), float(self._first[variant]), float(self._last[variant])
-
-        def slope(_: float, state: NDArray[np.float64]) -> list[float]:
-            return [state[1], float(self._course.rates(row, state[0])[1])]
-
-        def arrived(_: float, state: NDArray[np.float64]) -> float:
-            return float(state[0]) - last
-
-        def far(_: float, state: NDArray[np.float64]) -> float:
-            return _FAR * (abs(first) + abs(last)) - abs(float(state[0]))
-
-        arrived.terminal = far.terminal = True  # type: ignore[attr-defined]
-        fastest = abs(velocity) + abs(float(self._course.rates(row, last)[0]))
-        if fastest == 0:
-            return float("inf")
-        usual = abs(last - first) / fastest
-        with np.errstate(all="ignore"):
-            found = solve_ivp(
-                slope,
-                (0.0, _LONGEST * usual),
-                [first, velocity],
-                max_step=usual / _STEPS,  # both passages of a place where it turns back never lie within a step
-                method="DOP853",
-                rtol=_PRECISE,
-                atol=_NOTHING,
-                dense_output=True,
-                events=(arrived, far),
-            )
-        self._solved[variant] = found.sol
-        return float(found.t_events[0][0]) if found.t_events[0].size else float("inf")
-
-    def places(self, variants: NDArray[np.intp], times: NDArray[np.float64]) -> NDArray[np.float64]:
-        """The places (SI) of variants at instants (s), shape (M,) each."""
-        rate = self._velocity[variants] + 0.5 * self._acceleration[variants] * times
-        found: NDArray[np.float64] = self._first[variants] + rate * times
-        for variant in np.unique(variants).tolist():
-            if variant in self._solved:
-                own = np.flatnonzero(variants == variant)
-                found[own] = self._solved[variant](times[own])[0]
-        return found

@@ -15,7 +15,8 @@ from variantgen.wording.formula import to_plain
 # A figure much longer than wide (or the other way round) does not fit beside its statement.
 _LONGEST = 5.0
 _AT_POINT = 0.1  # distance of a mark from the point that it marks, u
-WIDEST, HIGHEST = 108.0, 102.0  # limits of a figure, u
+_COVERED, _OTHER_PLACE = 1.6, 3.0  # how near to a tip nothing else is to lie; between places of arrows, u
+WIDEST, HIGHEST = 108.0, 106.0  # limits of a figure, u
 
 
 @dataclass(frozen=True)
@@ -73,7 +74,9 @@ def count_label_faults(drawing: Drawing) -> int:
 def arrows_of(drawing: Drawing) -> list[tuple[complex, complex, float]]:
     """Start, tip and length of the head of the straight arrows: a stroke followed by a filled triangle at its end."""
     found = []
-    for shaft, head in pairwise(line for line in drawing.lines if isinstance(line, Path)):
+    for shaft, head in pairwise(drawing.lines):
+        if not isinstance(shaft, Path) or not isinstance(head, Path):
+            continue  # an arc of rotation has a head too
         if len(shaft.points) == 2 and len(head.points) == 3 and head.closed and head.fill == "ink":
             tip, *wings = head.points
             found.append((shaft.points[0], tip, abs(tip - 0.5 * sum(wings))))
@@ -103,6 +106,25 @@ def misread_labels(drawing: Drawing) -> list[str]:
     if misread.any():
         misread &= ~(gaps_to_box(places, sides, ends) < 1.0).any(axis=1)
     return [to_plain(named[i].formula) for i in np.flatnonzero(misread)]
+
+
+def buried_heads(drawing: Drawing) -> list[tuple[complex, complex]]:
+    """Starts and tips of the arrows whose heads lie on the hinge of another point or on an arrow from another place."""
+    arrows = arrows_of(drawing)
+    if not arrows:
+        return []
+    starts, tips = np.array([arrow[:2] for arrow in arrows], dtype=complex).T
+    hinges = [line.centre for line in drawing.lines if isinstance(line, Arc) and line.layer == Layer.HINGE]
+    others = np.array([*starts, *hinges])
+    from_afar = np.abs(others - starts[:, None]) > _OTHER_PLACE
+    gaps = np.abs(others - tips[:, None])
+    count = len(starts)
+    if from_afar[:, :count].any():
+        ways = tips - starts
+        part = np.clip(((tips[:, None] - starts) / ways).real, 0.0, 1.0)
+        gaps[:, :count] = np.abs(tips[:, None] - starts - part * ways)
+    buried = (gaps < _COVERED) & from_afar
+    return [arrows[i][:2] for i in np.flatnonzero(buried.any(axis=1))]
 
 
 def unmarked_points(drawing: Drawing, places: Mapping[str, complex]) -> list[str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
@@ -60,8 +61,10 @@ class InitialValue:
     def _row(self, data: tuple[tuple[str, float], ...], at: NDArray[np.float64], part: int) -> NDArray[np.float64]:
         start = float(self.start[0].value(dict(data)))
         found = np.full(at.shape, np.nan)
-        for chosen, end in ((at >= start, float(np.max(at))), (at < start, float(np.min(at)))):
+        for chosen in (np.isfinite(at) & (at >= start), np.isfinite(at) & (at < start)):
             if np.any(chosen):
+                furthest = float(np.max(np.abs(at[chosen] - start)))
+                end = _beyond(start, furthest if at[chosen][0] >= start else -furthest)
                 state, last = _followed(self, data, end)
                 reached = chosen & (np.abs(at - start) <= abs(last - start) * (1 + _PRECISE))
                 table = state(np.where(reached, at, start))
@@ -97,7 +100,12 @@ class InitialValue:
         return [0.5 * numbers[0] ** 2] if self.is_by_place else numbers
 
 
-@lru_cache(maxsize=64)
+def _beyond(start: float, way: float) -> float:
+    """An end at least so far, one of few: what is asked next of a law is mostly found in what has been followed."""
+    return start + math.copysign(2.0 ** math.ceil(math.log2(abs(way))), way) if way else start
+
+
+@lru_cache(maxsize=1024)
 def _followed(
     law: InitialValue, data: tuple[tuple[str, float], ...], end: float
 ) -> tuple[Callable[[NDArray[np.float64]], NDArray[np.float64]], float]:

@@ -70,8 +70,9 @@ def _between_drums(item: ComponentTemplate, frames: Sequence[set[str]]) -> list[
     cuts = [0, *drums, len(path) - 1]
     parts = [{**item.fields, "path": path[first : last + 1]} for first, last in pairwise(cuts)]
     axles = _stations([item])
-    if _same_drum(path[0], path[-1]) and any(axles <= frame for frame in frames):
-        parts[-1]["closing"] = True
+    if _same_drum(path[0], path[-1]):
+        parts = [{**part, "belt": True} for part in parts]
+        parts[-1]["closing"] = any(axles <= frame for frame in frames)
     return [ComponentTemplate(Rope, fields) for fields in parts]
 
 

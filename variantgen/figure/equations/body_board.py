@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.families.family import Form
-from variantgen.figure.drawing import BOLD, THIN, Layer, Line
+from variantgen.figure.drawing import BOLD, THIN, Drawing, Layer, Line
 from variantgen.figure.equations.surroundings import Surroundings, largest, size_of
 from variantgen.figure.ink import segments_of, spaced
 from variantgen.figure.motion.contact_letters import draw_dot
@@ -21,8 +21,12 @@ from variantgen.figure.sketch import Sketch
 from variantgen.methods.steps.step_geometry import NOTHING_MARKED, StepGeometry
 from variantgen.wording.formula import Formula, Symbol
 
-WIDE, HIGH = 80.0, 82.0  # room for a figure but for its labels, u
-_BODY_WIDE, _BODY_HIGH = 80.0, 73.0  # room for the bodies, u
+# Room for a figure but for its labels, and the size with them at which it is still printed with letters that can be
+# read; the height of bodies in proportion to that room (u).
+WIDE, HIGH = 89.0, 88.0
+_WIDEST, _HIGHEST = 104.8, 105.2
+_BODIES_HIGH = 0.92
+_TRIES, _LESS = 4, 1.3  # rooms that are tried; by how much the next one is smaller, in proportion to what is too much
 _SMALLER = 0.93  # steps in which room is sought
 _SHORTEST = 24.0  # the longest vector becomes no shorter, u
 _LEAST_BODY, _LEAST_RODS = 0.05, 0.5  # of the largest scale: how small bodies, and links between points, become
@@ -69,6 +73,7 @@ class BodyBoard:
 
     ``further`` are places (m) beside these points at which something joins the bodies, ``rods`` links between points
     that are drawn in the place of discs that touch.
+    ``room`` is the width and height for all but labels (u).
     """
 
     def __init__(
@@ -78,8 +83,9 @@ class BodyBoard:
         points: Iterable[str],
         further: Sequence[complex] = (),
         rods: Sequence[tuple[str, str]] = (),
+        room: complex = complex(WIDE, HIGH),
     ) -> None:
-        self.subject = subject
+        self.subject, self.room = subject, room
         self._rods = tuple(rods)
         self._bodies = tuple(bodies)
         self._further = further
@@ -105,9 +111,11 @@ class BodyBoard:
         z = self.subject.mechanism.places
         bodies = self._surroundings(z, 1.0).extent()
         whole = size_of(bodies)
-        most = largest(bodies, size * _BODY_WIDE, size * _BODY_HIGH)
+        most = largest(bodies, size * self.room.real, size * _BODIES_HIGH * self.room.imag)
         if not math.isfinite(most):
-            most = largest([z[name] for name in self.named], size * _BODY_WIDE, size * _BODY_HIGH)
+            most = largest(
+                [z[name] for name in self.named], size * self.room.real, size * _BODIES_HIGH * self.room.imag
+            )
         steps = math.ceil(math.log(_LEAST_RODS if self._rods else _LEAST_BODY, _SMALLER))
         scales = np.multiply.accumulate([most, *[_SMALLER] * steps])
         while True:
@@ -116,7 +124,7 @@ class BodyBoard:
                 np.ptp(np.multiply.outer(scales, at) + way, axis=1)
                 for at, way in ((places.real, ways.real), (places.imag, ways.imag))
             )
-            roomy = (width <= WIDE) & (height <= HIGH)
+            roomy = (width <= self.room.real) & (height <= self.room.imag)
             scale = float(scales[roomy.argmax()] if roomy.any() else scales[-1])
             shortest = min(longest, max(_SHORTEST, scale * max(whole.real, whole.imag)))
             if not whole or longest <= shortest:
@@ -162,6 +170,18 @@ class BodyBoard:
         form = self.subject.form
         own = [name for name in form.bodies[body] if name in self.points]
         return own if len(own) > 1 else [name for name in form.bodies[body] if name in (*own, *form.figure.hidden)]
+
+
+def with_room(drawn: Callable[[complex], Drawing]) -> Drawing:
+    """What is ``drawn`` in some room (width and height but for labels, u), less while its labels make it too large."""
+    room = complex(WIDE, HIGH)
+    for _ in range(_TRIES):
+        drawing = drawn(room)
+        excess = complex(max(0.0, drawing.width - _WIDEST), max(0.0, drawing.height - _HIGHEST))
+        if not excess:
+            break
+        room -= _LESS * excess
+    return drawing
 
 
 def draw_point(board: MotionBoard, point: str) -> None:

@@ -10,18 +10,24 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
 from functools import partial
 
 from variantgen.algebra.name import Name
 from variantgen.errors import InputError, Problem
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Arc, Drawing, Layer
-from variantgen.figure.equations.body_board import BodyBoard, FigureSubject, draw_point, draw_vectors, sizes
+from variantgen.figure.equations.body_board import (
+    BodyBoard,
+    FigureSubject,
+    draw_point,
+    draw_vectors,
+    sizes,
+    with_room,
+)
 from variantgen.figure.equations.marked_geometry import MOST_ANGLES, draw_geometry
 from variantgen.figure.equations.surroundings import STUB
 from variantgen.figure.motion.centre_rays import draw_centre, plane_bodies
-from variantgen.figure.motion.contact_letters import ContactPoint, contact_points, draw_dot
-from variantgen.figure.motion.motion_board import MotionBoard
+from variantgen.figure.motion.contact_letters import ContactPoint, draw_dot, touching_points
+from variantgen.figure.motion.motion_board import HEAD, MotionBoard
 from variantgen.figure.motion.motion_data import motion_data
 from variantgen.figure.motion.vectors import Vectors, vectors_of
 from variantgen.figure.placement.label_requests import along_arc
@@ -60,27 +66,15 @@ def draw_body_figure(
     shown = named.telling(found.chain.points)
     telling = [name for name in now.scene.bodies[body] if name in shown]
     moving = {name: own[name] for name in telling if abs(own[name]) > _NOTHING * largest}
-    touching = _contacts(subject, now, named, body, kind) if order == 1 else {}
+    touching = {}
+    if order == 1 and kind in ("centre", "contacts"):
+        touching = touching_points(named.task, now, subject.mechanism.shown, body, resting=kind == "contacts")
     if kind == "contacts":
         moving = {name: vector for name, vector in moving.items() if name in {c.centre for c in touching.values()}}
     if not moving and not any(contact.velocity for contact in touching.values()):
         raise InputError(Problem("no point of the body moves", key="view", value=body))
     make = partial(BodyFigure, subject, named, now, body, order, moving, touching)
-    return first_roomy(_tries(make, kind))
-
-
-def _contacts(subject: FigureSubject, now: Instant, named: Vectors, body: str, kind: str) -> dict[str, ContactPoint]:
-    """The points at which a body touches others; beside its velocity centre those that move."""
-    if kind not in ("centre", "contacts"):
-        return {}
-    found = contact_points(named.task, now, subject.mechanism.shown, body)
-    fastest = max(abs(vector) for vector in now.v.values())
-    still = {name for name, contact in found.items() if abs(contact.velocity) <= _NOTHING * fastest}
-    return {
-        name: replace(contact, velocity=0j) if name in still else contact
-        for name, contact in found.items()
-        if name not in still or kind == "contacts"
-    }
+    return with_room(lambda room: first_roomy(_tries(partial(make, room), kind)))
 
 
 def _tries(make: Callable[[float], BodyFigure], kind: str) -> Iterator[Drawing]:
@@ -113,6 +107,7 @@ class BodyFigure:
         order: int,
         moving: dict[str, complex],
         touching: dict[str, ContactPoint],
+        room: complex,
         stretch: float,
     ) -> None:
         self.subject, self.named, self.now, self.body, self.order = subject, named, now, body, order
@@ -124,8 +119,9 @@ class BodyFigure:
         further = [contact.place for contact in touching.values()]
         # The wheel itself, where only points of its rim are at rest or move.
         points = self.moving or list(now.scene.bodies[body][:1])
-        self.bodies = BodyBoard(subject, (body, *self._cranks()), points, further)
-        self.alone = BodyBoard(subject, (body,), points, further)
+        self._room = room
+        self.bodies = BodyBoard(subject, (body, *self._cranks()), points, further, room=room)
+        self.alone = BodyBoard(subject, (body,), points, further, room=room)
 
     def _cranks(self) -> list[str]:
         """The bodies on fixed axes that lead points of the body: they say where its velocities are directed."""
@@ -162,7 +158,7 @@ class BodyFigure:
             scale, longest = bodies.fitted(spread, self._longest)
             if short := [crank for crank in self._cranks() if self._reach(crank) * scale < _WHOLE_CRANK]:
                 # It would be a hinge without a letter.
-                bodies = BodyBoard(self.subject, (self.body, *short), self.moving)
+                bodies = BodyBoard(self.subject, (self.body, *short), self.moving, room=self._room)
                 scale, longest = bodies.fitted(spread, self._longest)
         board = self._board(bodies, scale, longest)
         board.sketch.at["centre"] = scale * centre
@@ -193,8 +189,8 @@ class BodyFigure:
             for name in (first, second):
                 at, vector = board.sketch.at[name], self._vectors[name]
                 part = (vector * way.conjugate()).real * way
-                if abs(part) > 3.0 and abs(vector - part) > 1.0:
-                    board.sketch.arrow(at, at + part, Layer.SLIDER, MEDIUM, 2.6)
+                if abs(part) > 2 * HEAD and abs(vector - part) > 1.0:
+                    board.sketch.arrow(at, at + part, Layer.SLIDER, MEDIUM, HEAD)
                     board.sketch.path((at + vector, at + part), Layer.GROUND, THIN, dash="dashed")
         return board
 

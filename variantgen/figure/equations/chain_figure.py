@@ -11,7 +11,7 @@ import numpy as np
 
 from variantgen.errors import InputError, Problem
 from variantgen.figure.drawing import MEDIUM, Drawing, Layer
-from variantgen.figure.equations.body_board import BodyBoard, FigureSubject
+from variantgen.figure.equations.body_board import HIGH, WIDE, BodyBoard, FigureSubject
 from variantgen.figure.motion.motion_board import MotionBoard
 from variantgen.figure.placement.label_requests import LabelRequest, along_line, around, label_size
 from variantgen.methods.steps.step_geometry import ChainGraph
@@ -22,6 +22,7 @@ _PART = 0.58  # of a link where its arrow head is
 _HEAD = 2.6
 _BELOW = 9.0  # from the mechanism to its graph, u
 _LEG, _GAP = 20.0, 3.6  # from point to point of the graph; from a letter to an arrow, u
+_GRAPH = 18.0  # height of the graph, u
 _OFF = 1.6  # between an arrow of the graph and the number above it, u
 
 
@@ -33,7 +34,7 @@ def draw_chain(subject: FigureSubject) -> Drawing:
     points = [chain.start, *chain.ends]
     bodies = subject.form.bodies
     links = [next(name for name, members in bodies.items() if set(pair) <= set(members)) for pair in pairwise(points)]
-    board = BodyBoard(subject, links, points)
+    board = BodyBoard(subject, links, points, room=complex(WIDE, HIGH - _GRAPH))
     scale, _ = board.fitted(lambda longest: [(0j, _AXIS), (0j, _AXIS * 1j)], 0.0)
     drawn = board.drawn(scale)
     sketch = drawn.sketch

@@ -8,14 +8,13 @@ from collections.abc import Iterator, Sequence
 from variantgen.errors import InputError, Problem
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing, Layer
 from variantgen.figure.equations.body_board import (
-    HIGH,
-    WIDE,
     BodyBoard,
     FigureSubject,
     draw_axes,
     draw_point,
     draw_vectors,
     sizes,
+    with_room,
 )
 from variantgen.figure.equations.marked_geometry import MOST_ANGLES, draw_geometry
 from variantgen.figure.equations.surroundings import largest
@@ -46,8 +45,12 @@ def equation_figure(subject: FigureSubject, named: Vectors, equation: PointEquat
     others = [name for name in dict.fromkeys(met) if _is_on(subject, equation, name)]
     ends = [end for rod in equation.rods for end in rod]
     points = dict.fromkeys((equation.point, *others, *ends))
-    bodies = BodyBoard(subject, equation.bodies, points, rods=equation.rods)
-    return first_roomy(_tries(bodies, named, equation, shown))
+
+    def drawn(room: complex) -> Drawing:
+        bodies = BodyBoard(subject, equation.bodies, points, rods=equation.rods, room=room)
+        return first_roomy(_tries(bodies, named, equation, shown))
+
+    return with_room(drawn)
 
 
 def draw_equation(subject: FigureSubject, order: int, vectors: Sequence[PointVectors], which: str) -> Drawing:
@@ -100,7 +103,7 @@ def _base(
     drawn, _ = _tips(together, longest, bodies.subject.least)
     share = _BESIDE_RODS if equation.rods else _SHARE
     # Else they would leave none for the bodies.
-    longest *= min(1.0, largest([0j, *drawn], share * WIDE, share * HIGH))
+    longest *= min(1.0, largest([0j, *drawn], share * bodies.room.real, share * bodies.room.imag))
 
     def spread(longest: float) -> list[tuple[complex, complex]]:
         drawn, _ = _tips(together, longest, bodies.subject.least)
@@ -131,7 +134,8 @@ def _tips(named: Sequence[tuple[Formula, complex]], longest: float, least: float
 
 def _draw_parallelogram(board: MotionBoard, at: complex, equation: PointEquation, scale: float) -> None:
     """Dashed lines from the tips of two vectors to that of their sum."""
-    if len(equation.left) != 1 or len(equation.right) != 2:
+    drawn = {arrow.name for arrow in _arrows(equation)}
+    if len(equation.left) != 1 or len(equation.right) != 2 or not drawn >= {arrow.name for arrow in equation.right}:
         return
     whole, first, second = (scale * arrow.vector for arrow in (*equation.left, *equation.right))
     if abs((first.conjugate() * second).imag) > _STRAIGHT * abs(first) * abs(second) > 0:

@@ -18,6 +18,8 @@ STUB = 8.5  # how much of what is joined to the body at a point is drawn, u
 _NEAR = 1.7  # half the width of a bar, and what lies on it, u
 _JOINED = 4.5  # how near to a point what is joined to it there comes, u: the guide below a slider
 _LEAST = 6.0  # a shorter piece of a line away from all points only crosses the body, u
+_ACROSS = 0.8  # so does one with its ends on both sides of a bar or a rim, as far from it, u
+_SMALL = 3.0  # radius of circles that are symbols, u
 _STEP = 0.35  # between the places of a line that are looked at, u
 _MOST = 4000  # of them
 _SAGITTA = 0.05
@@ -81,7 +83,11 @@ class Surroundings:
                 yield line._replace(weight=_light(line))
                 continue
             own = slice(at[first], at[end - 1] + 1)
-            yield from _kept(line, places[own], at[first:end] - at[first], close[own], inside[own])
+            if isinstance(line, Strokes):
+                yield from self._strokes(line, places[at[first:end]], close[at[first:end]])
+                continue
+            seen_there = close if self._is_foreign(line) else inside
+            yield from self._kept(line, places[own], at[first:end] - at[first], close[own], seen_there[own])
 
     @cached_property
     def _box(self) -> tuple[complex, complex]:
@@ -106,10 +112,69 @@ class Surroundings:
             found |= np.abs(places - point) <= within
         return found
 
-    def _on_bodies(self, places: Places) -> NDArray[np.bool_]:
+    def _strokes(self, line: Strokes, middles: Places, close: NDArray[np.bool_]) -> Iterator[Line]:
+        """Those of the strokes with these middles that lie near points, or behind what the body rolls on."""
+        kept = close | self._on_rims(middles)
+        if kept.any():
+            yield Strokes(
+                tuple(s for s, near in zip(line.segments, kept, strict=True) if near), line.layer, _light(line)
+            )
+
+    def _kept(
+        self,
+        line: Path | Arc,
+        places: Places,
+        corners: NDArray[np.intp],
+        close: NDArray[np.bool_],
+        inside: NDArray[np.bool_],
+    ) -> Iterator[Line]:
+        """What is drawn of a line that has its ``corners`` at these numbers of its ``places``."""
+        edges = (np.flatnonzero(inside[1:] != inside[:-1]) + 1).tolist()
+        edges = [*([0] if inside[0] else []), *edges, *([len(inside)] if inside[-1] else [])]
+        for first, after in zip(edges[::2], edges[1::2], strict=True):
+            last = after - 1
+            length = float(np.abs(places[first + 1 : after] - places[first:last]).sum())
+            if close[first:after].any():
+                is_seen = length > 0
+            else:
+                is_seen = length > _LEAST and not self._crossed(*places[[first, (first + last) // 2, last]].tolist())
+            if not is_seen:
+                continue
+            within = corners[(corners > first) & (corners < last)]
+            run = places[np.concatenate(([first], within, [last]))]
+            if isinstance(line, Arc) and line.full and len(run) > 2 and abs(run[0] - run[-1]) < 1e-9:
+                yield line._replace(weight=_light(line))
+            else:
+                yield Path(tuple(run.tolist()), line.layer, _light(line), dash=line.dash)
+
+    def _is_foreign(self, line: Line) -> bool:
+        """Whether a line is the rim of another body."""
+        if not isinstance(line, Arc) or not line.full or line.radius < _SMALL:
+            return False
+        return all(abs(line.centre - centre) > _NEAR for centre, _ in self.rims)
+
+    def _crossed(self, first: complex, middle: complex, last: complex) -> bool:
+        """Whether a line with these places on it leads from one side of a bar or a rim to the other."""
+        sides = [
+            (abs(first - centre) - radius, abs(last - centre) - radius)
+            for centre, radius in self.rims
+            if abs(abs(middle - centre) - radius) <= _NEAR
+        ]
+        for start, end in (ends for member in self.members for ends in combinations(member, 2) if ends[0] != ends[1]):
+            way = (end - start) / abs(end - start)
+            part = (middle - start) / way
+            if abs(part.imag) <= _NEAR and 0 <= part.real <= abs(end - start):
+                sides.append((((first - start) / way).imag, ((last - start) / way).imag))
+        return any(low * high < 0 and min(abs(low), abs(high)) > _ACROSS for low, high in sides)
+
+    def _on_rims(self, places: Places) -> NDArray[np.bool_]:
         found = np.zeros(len(places), dtype=bool)
         for centre, radius in self.rims:
             found |= np.abs(np.abs(places - centre) - radius) <= _NEAR
+        return found
+
+    def _on_bodies(self, places: Places) -> NDArray[np.bool_]:
+        found = self._on_rims(places)
         for member in self.members:
             if len(member) > 1:
                 ends = np.array(list(combinations(member, 2)), dtype=complex)
@@ -136,37 +201,6 @@ def _squares(places: Places, points: Sequence[complex]) -> NDArray[np.float64]:
     steps = places - np.array(points, dtype=complex)[:, None]
     found: NDArray[np.float64] = steps.real**2 + steps.imag**2
     return found
-
-
-def _kept(
-    line: Line, places: Places, corners: NDArray[np.intp], close: NDArray[np.bool_], inside: NDArray[np.bool_]
-) -> Iterator[Line]:
-    """What is drawn of a line that has its ``corners`` at these numbers of its ``places``."""
-    light = _light(line)
-    if isinstance(line, Strokes):
-        kept = close[corners]
-        if kept.any():
-            yield Strokes(tuple(s for s, near in zip(line.segments, kept, strict=True) if near), line.layer, light)
-        return
-    for run in _runs(places, corners, close, inside):
-        if isinstance(line, Arc) and line.full and len(run) > 2 and abs(run[0] - run[-1]) < 1e-9:
-            yield line._replace(weight=light)
-        else:
-            yield Path(tuple(run.tolist()), line.layer, light, dash=line.dash)
-
-
-def _runs(
-    places: Places, corners: NDArray[np.intp], close: NDArray[np.bool_], inside: NDArray[np.bool_]
-) -> Iterator[Places]:
-    """The runs of a line that are drawn: corners and ends."""
-    edges = (np.flatnonzero(inside[1:] != inside[:-1]) + 1).tolist()
-    edges = [*([0] if inside[0] else []), *edges, *([len(inside)] if inside[-1] else [])]
-    for first, after in zip(edges[::2], edges[1::2], strict=True):
-        last = after - 1
-        length = float(np.abs(places[first + 1 : after] - places[first:last]).sum())
-        if length > _LEAST or (close[first:after].any() and length > 0):
-            within = corners[(corners > first) & (corners < last)]
-            yield places[np.concatenate(([first], within, [last]))]
 
 
 def distances_to_segments(places: Places, starts: Places, ends: Places) -> NDArray[np.float64]:

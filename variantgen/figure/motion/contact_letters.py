@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from variantgen.algebra.name import Name
 from variantgen.figure.board import Board
@@ -17,6 +17,8 @@ from variantgen.methods.linkage.instant import Instant
 from variantgen.methods.linkage.problem import Task
 from variantgen.wording.formula import Symbol
 from variantgen.wording.solution.quantity_symbols import Symbols
+
+_NOTHING = 1e-9  # of the greatest velocity
 
 
 @dataclass(frozen=True)
@@ -61,6 +63,20 @@ def draw_contacts(board: MotionBoard, found: Mapping[str, ContactPoint], scale: 
         place = sketch.at[key] = sketch.scale * contact.place
         draw_dot(board, place, name)
         board.vector(key, scale * contact.velocity, symbols.letter(Name("v", name)), MEDIUM)
+
+
+def touching_points(
+    task: Task, now: Instant, shown: Collection[str], body: str, resting: bool
+) -> dict[str, ContactPoint]:
+    """The points at which a body touches others, by letter: those that move, those that are ``resting`` if wanted."""
+    found = contact_points(task, now, shown, body)
+    fastest = max(abs(vector) for vector in now.v.values())
+    still = {name for name, contact in found.items() if abs(contact.velocity) <= _NOTHING * fastest}
+    return {
+        name: replace(contact, velocity=0j) if name in still else contact
+        for name, contact in found.items()
+        if name not in still or resting
+    }
 
 
 def draw_dot(board: Board, place: complex, name: str | Symbol) -> None:

@@ -31,8 +31,8 @@ class LabelRequest:
 
     ``extent`` are further points of what it names (an arc), that no other label should be nearer to than to its own.
     ``clear`` is the radius (u) of the symbol at the anchor, where a leader would end. ``vector`` says that it names a
-    straight arrow, which must not be read with the letter of another one. ``box`` are half width and half
-    height (u), ``own`` are all points of what it names.
+    straight arrow, which must not be read with the letter of another one. A leader ends at the anchor or at one of the
+    ``further`` places. ``box`` are half width and half height (u), ``own`` are all points of what it names.
     """
 
     formula: Formula
@@ -42,6 +42,7 @@ class LabelRequest:
     extent: tuple[complex, ...] = ()
     clear: float = 0.0
     vector: bool = False
+    further: tuple[complex, ...] = ()
     box: tuple[float, float] = field(init=False)
     own: tuple[complex, ...] = field(init=False)
 
@@ -68,6 +69,8 @@ _FAR_RINGS = np.array([4.0, 6.5, 9.0, 12.0, 16.0, 21.0])
 # A level leader that ends before a number reads as its minus sign.
 _AS_MINUS = np.where(_FAR_WAYS.real > math.cos(math.radians(20)), 15.0, 0.0)
 _AS_SHAFT, _NEARLY_AHEAD = 15.0, math.cos(math.radians(20))  # a leader that goes on past a head reads as its shaft
+_NOT_AT_ANCHOR = 2.0  # cost of a leader that ends at a further place
+_ON_SHAFT = 0.5  # where such a place is on an arrow
 _PARTS = np.array([0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74])
 # Beside an arrow: distances, both sides of each part; before its head. The farthest are for want of any other place: a
 # leader is better.
@@ -110,18 +113,22 @@ def _offsets(formula: Formula, clear: float) -> Places:
     return found
 
 
-def far_from(request: LabelRequest) -> tuple[Places, Costs]:
-    """Candidates far from what is named, which need a leader, with their distances as costs: shape (P,) each."""
+def far_from(request: LabelRequest) -> tuple[Places, Costs, Places]:
+    """Candidates far from what is named, which need a leader, their costs, and where it ends: shape (P,) each."""
     support = _support(request.box, _FAR_WAYS)
-    places = request.anchor + _FAR_WAYS[None, :] * (request.clear + _FAR_RINGS[:, None] + support[None, :])
+    ends = np.array([request.anchor, *request.further])
+    steps = _FAR_WAYS * (request.clear + _FAR_RINGS[:, None] + support)
     is_number = isinstance(request.formula, Number | Measured)
-    ways = 0.01 * np.arange(24) + is_number * _AS_MINUS
+    ways = (0.01 * np.arange(24) + is_number * _AS_MINUS) * np.ones((len(ends), 1))
+    ways[1:] += _NOT_AT_ANCHOR
     if request.arrow is not None:
         start, tip = request.arrow
         ahead = (_FAR_WAYS * (tip - start).conjugate()).real / abs(tip - start)
-        ways = ways + _AS_SHAFT * (ahead > _NEARLY_AHEAD)
-    costs = _FAR_RINGS[:, None] + ways[None, :]
-    return places.ravel(), costs.ravel()
+        ways[0] += _AS_SHAFT * (ahead > _NEARLY_AHEAD)
+        ways[1:] += _AS_SHAFT * (np.abs(ahead) > _NEARLY_AHEAD)
+    costs = _FAR_RINGS[:, None] + ways[:, None, :]
+    places = ends[:, None, None] + steps
+    return places.ravel(), costs.ravel(), ends.repeat(steps.size)
 
 
 def along_line(formula: Formula, start: complex, end: complex, clear: float = _OFF) -> LabelRequest:
@@ -157,7 +164,7 @@ def along_arrow(formula: Formula, start: complex, end: complex) -> LabelRequest:
     beside = start + _PARTS * step + 1j * way * ((aside + _ASIDE)[:, :, None] * _SIDES)
     places = np.concatenate((beside.ravel(), ahead))
     extent = tuple(start + part * step for part in (0.0, 0.25, 0.5, 0.75))
-    return LabelRequest(formula, end, places, _ARROW_COSTS, extent, vector=True)
+    return LabelRequest(formula, end, places, _ARROW_COSTS, extent, vector=True, further=(start + _ON_SHAFT * step,))
 
 
 def along_arc(

@@ -18,14 +18,14 @@ from numpy.typing import NDArray
 from variantgen.figure.drawing import THIN, Label, Layer, Path
 from variantgen.figure.ink import Segments, boxes_crossed, crosses
 from variantgen.figure.placement.label_requests import Costs, LabelRequest, Places, far_from
-from variantgen.figure.placement.misleading_places import MisleadingPlaces
+from variantgen.figure.placement.misleading_places import MISREAD, MisleadingPlaces
 from variantgen.figure.placement.occupancy import Occupancy
 
 GAP = 0.8  # free space around a label, u
 _TIGHT = 0.45  # free space that a label never gives up (half of a bold line), u
 # Costs of ink under a label and per cell of it, of less than the wished free space, of two labels over each other, of a
-# leader and of each line or label that it crosses.
-_INK, _INK_CELL, _CLOSE, _LABEL, _LEADER, _CUT = 100.0, 2.0, 3.0, 300.0, 30.0, 4.0
+# leader and of each line that it crosses, with that of an arrow between all others.
+_INK, _INK_CELL, _CLOSE, _LABEL, _LEADER, _CUT, _CUT_BY_VECTOR = 100.0, 2.0, 3.0, 300.0, 30.0, 4.0, 10.0
 _FAR = 35.0  # cost from which on the letter of a vector is so far off or so misleading that a leader may be better
 _PRODUCT = 15.0  # of two labels that stand side by side so near that they read as a product
 _BESIDE = 2.4  # u
@@ -38,12 +38,13 @@ _ON_LEADER = np.linspace(0.0, 1.0, 24)  # places along a leader that are looked 
 
 @dataclass
 class _Choice:
-    """The candidates of one label with what they cost apart from other labels, and which of them need a leader."""
+    """The candidates of one label with what they cost apart from other labels; which need a leader, and to where."""
 
     request: LabelRequest
     places: Places
     costs: Costs
     led: NDArray[np.bool_]
+    ends: Places
     taken: int = -1
 
     @property
@@ -54,7 +55,7 @@ class _Choice:
     @property
     def leader(self) -> Path | None:
         """The leader of the chosen place, where it needs one."""
-        return _leader(self.request, self.place) if self.led[self.taken] else None
+        return _leader(self.request, self.place, complex(self.ends[self.taken])) if self.led[self.taken] else None
 
 
 def place_labels(
@@ -67,11 +68,14 @@ def place_labels(
     if not requests:
         return [], []
     occupancy = Occupancy(segments)
-    choices = _near_choices(requests, occupancy, strangers)
+    misleading = MisleadingPlaces(requests, strangers, occupancy)
+    choices = _near_choices(requests, occupancy, misleading)
     for choice in choices:
         choice.taken = int(choice.costs.argmin())
     first = _conflicting(choices)
     _resolve_overlaps(choices, first)
+    if first:
+        _add_misread(choices, misleading)
     worst = {i for i, c in enumerate(choices) if c.costs[c.taken] >= (_FAR if c.request.vector else _INK)}
     crowded = sorted(worst | set(_conflicting(choices) if first else ()))
     if crowded:
@@ -85,7 +89,7 @@ def place_labels(
 
 
 def _near_choices(
-    requests: Sequence[LabelRequest], occupancy: Occupancy, strangers: Sequence[complex]
+    requests: Sequence[LabelRequest], occupancy: Occupancy, misleading: MisleadingPlaces
 ) -> list[_Choice]:
     """The candidates of all labels with their costs, computed at once."""
     count = [len(r.places) for r in requests]
@@ -94,22 +98,21 @@ def _near_choices(
     boxes = np.array([r.box for r in requests])[owner]
     costs = np.concatenate([r.costs for r in requests])
     costs += _ink_costs(occupancy, places, boxes)
-    _add_misleading(requests, strangers, occupancy, places, owner, costs)
+    _add_misleading(misleading, places, owner, costs)
     ends = np.cumsum(count).tolist()
     return [
-        _Choice(request, places[end - size : end], costs[end - size : end], np.zeros(size, dtype=bool))
+        _Choice(
+            request,
+            places[end - size : end],
+            costs[end - size : end],
+            np.zeros(size, dtype=bool),
+            np.full(size, request.anchor),
+        )
         for request, size, end in zip(requests, count, ends, strict=True)
     ]
 
 
-def _add_misleading(
-    requests: Sequence[LabelRequest],
-    strangers: Sequence[complex],
-    occupancy: Occupancy,
-    places: Places,
-    owner: NDArray[np.intp],
-    costs: Costs,
-) -> None:
+def _add_misleading(misleading: MisleadingPlaces, places: Places, owner: NDArray[np.intp], costs: Costs) -> None:
     """Add what a candidate could be mistaken for, but only to those that may win.
 
     The best few of each label are asked first; where one of them stays better than all others, nothing else matters.
@@ -119,15 +122,23 @@ def _add_misleading(
     rank = np.empty(len(order), dtype=np.intp)
     rank[order] = np.arange(len(order)) - np.searchsorted(owner, owner)
     first = np.flatnonzero((rank < _FIRST) & (costs < _INK))
-    misleading = MisleadingPlaces(requests, strangers, occupancy)
     costs[first] += misleading.costs(places[first], owner[first])
     asked = np.zeros(len(costs), dtype=bool)
     asked[first] = True
-    best = np.full(len(requests), np.inf)
+    best = np.full(owner[-1] + 1, np.inf)
     np.minimum.at(best, owner[first], costs[first])
     rest = np.flatnonzero(~asked & (costs < np.minimum(best[owner], _INK)))
     if rest.size:
         costs[rest] += misleading.costs(places[rest], owner[rest])
+
+
+def _add_misread(choices: Sequence[_Choice], misleading: MisleadingPlaces) -> None:
+    """Add what a place costs that is read with another arrow, where a label has moved to one that was not asked."""
+    taken = np.array([choice.place for choice in choices])
+    for i in np.flatnonzero(misleading.misread(taken, np.arange(len(choices)))).tolist():
+        choice = choices[i]
+        new = choice.costs < MISREAD
+        choice.costs[new] += MISREAD * misleading.misread(choice.places[new], np.full(int(new.sum()), i))
 
 
 def _ink_costs(occupancy: Occupancy, places: Places, boxes: NDArray[np.float64]) -> Costs:
@@ -142,25 +153,27 @@ def _add_leaders(choices: list[_Choice], crowded: Sequence[int], occupancy: Occu
     """Add far candidates to some choices."""
     requests = [choices[i].request for i in crowded]
     far = [far_from(request) for request in requests]
-    places, costs = np.array([places for places, _ in far]), np.array([costs for _, costs in far])
-    boxes = np.array([request.box for request in requests]).repeat(places.shape[1], axis=0)
-    ink = _ink_costs(occupancy, places.ravel(), boxes).reshape(places.shape)
+    count = [len(places) for places, _, _ in far]
+    places, costs, ends = (np.concatenate(parts) for parts in zip(*far, strict=True))
+    ink = _ink_costs(occupancy, places, np.array([request.box for request in requests]).repeat(count, axis=0))
     costs += _LEADER + ink
     # The leader from the edge of the symbol to the label: how many of its pieces run over ink. Where the label itself
     # would stand on a line, that is no matter.
-    owner, at = np.nonzero(ink < _INK)
-    anchors = np.array([request.anchor for request in requests])[owner]
-    steps = places[owner, at] - anchors
-    start = anchors + np.array([request.clear + 0.8 for request in requests])[owner] * steps / np.abs(steps)
-    samples = start[:, None] + _ON_LEADER * (places[owner, at] - start)[:, None]
+    free = np.flatnonzero(ink < _INK)
+    clear = np.array([request.clear + 0.8 for request in requests]).repeat(count)[free]
+    steps = places[free] - ends[free]
+    start = ends[free] + clear * steps / np.abs(steps)
+    samples = start[:, None] + _ON_LEADER * (places[free] - start)[:, None]
     cut = occupancy.taken(samples.ravel(), 0.05, 0.05).reshape(samples.shape) > 0
-    costs[owner, at] += _CUT * (cut[:, 0] + np.sum(cut[:, 1:] & ~cut[:, :-1], axis=1))
-    led = np.ones(places.shape[1], dtype=bool)
-    for i, further, cost in zip(crowded, places, costs, strict=True):
-        choice = choices[i]
-        choice.places = np.concatenate((choice.places, further))
-        choice.costs = np.concatenate((choice.costs, cost))
-        choice.led = np.concatenate((choice.led, led))
+    each = np.array([_CUT_BY_VECTOR if request.vector else _CUT for request in requests]).repeat(count)[free]
+    costs[free] += each * (cut[:, 0] + np.sum(cut[:, 1:] & ~cut[:, :-1], axis=1))
+    last = np.cumsum(count).tolist()
+    for i, size, end in zip(crowded, count, last, strict=True):
+        choice, own = choices[i], slice(end - size, end)
+        choice.places = np.concatenate((choice.places, places[own]))
+        choice.costs = np.concatenate((choice.costs, costs[own]))
+        choice.led = np.concatenate((choice.led, np.ones(size, dtype=bool)))
+        choice.ends = np.concatenate((choice.ends, ends[own]))
 
 
 def _resolve_overlaps(choices: list[_Choice], first: Sequence[int]) -> None:
@@ -247,21 +260,21 @@ class _Standing:
     def _crossed_by_leaders(self, own: _Choice) -> Costs:
         """Cost of the labels that the leaders of a label would cross."""
         boxes = self._boxes + _TIGHT
-        ways = 0.5 * (own.places[own.led] - own.request.anchor)
-        middles = own.request.anchor + ways - self._places[:, None]
+        ways = 0.5 * (own.places[own.led] - own.ends[own.led])
+        middles = own.ends[own.led] + ways - self._places[:, None]
         crossed: Costs = _LABEL * np.add.reduce(crosses(middles, ways, (boxes[:, :1], boxes[:, 1:])), axis=0)
         return crossed
 
 
-def _leader(request: LabelRequest, place: complex) -> Path | None:
+def _leader(request: LabelRequest, place: complex, to: complex) -> Path | None:
     """A thin line from the edge of the symbol to the edge of the label; none where the two nearly touch."""
-    step = place - request.anchor
+    step = place - to
     way = step / abs(step)
     half_width, half_height = request.box
     to_edge = min(
         half_width / abs(way.real) if way.real else np.inf, half_height / abs(way.imag) if way.imag else np.inf
     )
-    start = request.anchor + (request.clear + (_LEADER_GAP if request.clear else 0.0)) * way
+    start = to + (request.clear + (_LEADER_GAP if request.clear else 0.0)) * way
     end = place - (to_edge + _LEADER_GAP) * way
     if ((end - start) * way.conjugate()).real < 1.0:
         return None

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from variantgen.figure.drawing import Drawing
-from variantgen.figure.faults import count_label_faults, leaders, misread_labels
+from variantgen.figure.faults import buried_heads, count_label_faults, leaders, misread_labels
 
-_FAULT = 10  # a label that is crossed or covered, in leaders
+_FAULT, _BURIED = 10, 3  # a label that is crossed or covered, a head of an arrow that is, in leaders
 _FEW, _SHARE = 2, 6  # leaders that do not make a drawing crowded: so many, or one for so many labels
 
 
@@ -22,10 +22,10 @@ def first_roomy(drawings: Iterable[Drawing]) -> Drawing:
 
 
 def _crowding(drawing: Drawing) -> int:
-    """Faults, and the leaders that are too many for the labels of a drawing."""
+    """Faults, buried heads, and the leaders that are too many for the labels of a drawing."""
     allowed = max(_FEW, len(drawing.labels) // _SHARE)
     faults = count_label_faults(drawing) + len(misread_labels(drawing))
-    return _FAULT * faults + max(0, len(leaders(drawing)) - allowed)
+    return _FAULT * faults + _BURIED * len(buried_heads(drawing)) + max(0, len(leaders(drawing)) - allowed)
 
 
 def _first(drawings: Iterable[Drawing], crowding: Callable[[Drawing], int]) -> Drawing:

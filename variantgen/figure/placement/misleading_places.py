@@ -13,7 +13,7 @@ from variantgen.figure.placement.occupancy import Occupancy
 
 # Costs of a label nearer to another point than to its own, of a rate nearer to another one's arrow than to its own
 # (which would be misread), of a line between a label and what it names.
-_STRANGER, _MISREAD, _BARRIER = 12.0, 60.0, 14.0
+_STRANGER, MISREAD, _BARRIER = 12.0, 60.0, 14.0
 _BETWEEN = np.array([0.4, 0.55, 0.7, 0.85, 1.0])  # places on the way from a label to what it names
 _PLAINLY = 0.2  # how much nearer to its own arrow than to another the name of an arrow stands, u
 _OWN = 1.0  # where that way ends before a line or symbol that is named, u
@@ -64,11 +64,11 @@ class MisleadingPlaces:
         if self._extended.any():
             foreign = np.minimum.reduce(squares[:, self._on_extended], axis=1)
             misread = self._extended[owner] & (foreign < nearest)
-            result += _MISREAD * (misread | self._nearer_to_other_arrow(places, owner))
+            result += MISREAD * (misread | self.misread(places, owner))
         return result
 
-    def _nearer_to_other_arrow(self, places: Places, owner: NDArray[np.intp]) -> NDArray[np.bool_]:
-        """Which candidates for the name of a straight arrow have a box that is nearer to another straight arrow."""
+    def misread(self, places: Places, owner: NDArray[np.intp]) -> NDArray[np.bool_]:
+        """Which places would put the name of a straight arrow nearer to another one; shape ``(places,)``."""
         found = np.zeros(len(places), dtype=bool)
         mine = self._arrow_of[owner]
         of = np.flatnonzero(mine >= 0)

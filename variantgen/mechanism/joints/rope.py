@@ -58,11 +58,13 @@ class Rope(Joint):
     because piece j turns at the rate ``n_j.(v_(j+1) - v_j) / l_j``; pulleys in between turn freely, and the rope may
     pass a point several times. In a ``parallel`` rope, as in hoists, a piece at a moving block runs ``along`` the way
     of the block and keeps that direction: its length is the distance of its ends in this direction, whatever the radii.
-    What is ``closing`` brings a belt back to where it began: it is seen, and has no equation, as it says nothing new.
+    Parts of a rope that comes back to the drum where it began are a ``belt``, as texts call it. What is ``closing``
+    brings a belt back: it is seen, and has no equation, as it says nothing new.
     """
 
     path: tuple[Bend, ...]
     parallel: bool = False
+    belt: bool = False
     closing: bool = False
 
     @property

@@ -91,10 +91,11 @@ def _rope(book: Book, quantity: Quantity) -> Value:
     axes = [Value(None, "angle", degrees(complex(ray))) for ray in way.rays(at)]
     pulleys = [number for number, bend in enumerate(way.bends) if number and bend.point not in resting]
     name = Name("rope", quantity.target, quantity.component)
-    with book.step("answers.rope", first=Point(quantity.target), second=Point(quantity.component)):
+    word = "belt" if piece is not None and piece.rope.belt else "rope"
+    with book.step(f"answers.{word}", first=Point(quantity.target), second=Point(quantity.component)):
         terms: list[tuple[int, Expression]] = []
         if end.body is not None:
-            book.say("answers.rope_on_drum", False, body=Body(end.body))
+            book.say(f"answers.{word}_on_drum", False, body=Body(end.body))
             radius = book.geometry.radius(end.point, float(end.radius) / task.length_unit, end.body)
             away = 1 if way.rim(at) * task.now.omega[end.body] >= 0 else -1
             terms.append((away, _rate(book, Quantity("omega", end.body, "abs")) * radius))
@@ -102,7 +103,7 @@ def _rope(book: Book, quantity: Quantity) -> Value:
             book.say("answers.rope_at_moving_end" if pulleys else "answers.rope_at_end", False, point=Point(end.point))
             terms += signed(named_shares(book, vector(book, end.point), axes[0]))
         for number in pulleys:
-            book.say("answers.rope_behind_pulley", False, point=Point(way.bends[number].point))
+            book.say(f"answers.{word}_behind_pulley", False, point=Point(way.bends[number].point))
             own = vector(book, way.bends[number].point)
             terms += signed(named_shares(book, own, axes[number]))
             terms += [(-sign, part) for sign, part in signed(named_shares(book, own, axes[number - 1]))]

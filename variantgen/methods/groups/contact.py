@@ -31,7 +31,8 @@ class ContactSide:
     ``line`` is the unit vector on paper along which the component is taken, ``radius`` (printed unit of length) the
     distance of the point from ``centre``, ``lever`` +1 or -1 by the sense of the arm, 0 where the point is the centre
     itself. ``centre`` is empty for something at rest. ``name`` is the letter of the point. ``radial`` are the two
-    points to whose line the contact's tangent is perpendicular, if that is how it is known.
+    points to whose line the contact's tangent is perpendicular, if that is how it is known. ``belt``: it is the end of
+    a part of a belt.
     """
 
     name: str
@@ -41,6 +42,7 @@ class ContactSide:
     radius: float = 0.0
     lever: int = 0
     radial: tuple[str, str] | None = None
+    belt: bool = False
 
     @property
     def is_rest(self) -> bool:

@@ -32,7 +32,13 @@ _PREPARING = (
     "rested.",
     "contact.",
 )  # steps that often only prepare another one
-_REASONS = {"rope.inextensible": "", "rack.no_slip": "", "rope.same_a": "rope.again_a"}  # and what is said again
+_REASONS = {  # and what is said again
+    "rope.inextensible": "",
+    "belt.inextensible": "",
+    "rack.no_slip": "",
+    "rope.same_a": "rope.again_a",
+    "belt.same_a": "belt.again_a",
+}
 _ROLLING = "rolling.omega"  # what a wheel rolls about
 _PLAIN = "ways.pointed"  # the line of a vector and the side to which it points
 

@@ -128,7 +128,7 @@ def say_sum(book: Book, side: ContactSide, key: str = "sum") -> None:
     name = contact_name(book, side)
     facts: dict[str, Fact] = {"contact": Point(side.name), "centre": Point(side.centre), "vector": VectorOf(name)}
     facts |= {"first": VectorOf(Name(book.letter, side.centre)), "second": VectorOf(name._replace(about=side.centre))}
-    file = "rope" if side.radial is None else "contact"
+    file = "belt" if side.belt else "rope" if side.radial is None else "contact"
     book.say(f"{file}.{key}_{book.letter}", **facts)
 
 

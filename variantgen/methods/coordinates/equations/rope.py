@@ -35,7 +35,7 @@ def state(model: Model, joint: Rope, template: None) -> None:
             side = _side(model, bend)
             terms.append((round(sign * side), product(_radius(model, bend), model.swept(bend.body))))
     ends = [Point(bend.point) for bend in (joint.path[0], joint.path[-1])]
-    model.add("rope", added(*terms), model.offset(constant), first=ends[0], second=ends[1])
+    model.add("belt" if joint.belt else "rope", added(*terms), model.offset(constant), first=ends[0], second=ends[1])
 
 
 def _side(model: Model, bend: Bend) -> float:
@@ -66,7 +66,13 @@ def _piece(model: Model, joint: Rope, first: Bend, second: Bend) -> tuple[list[t
     # The centres are as far from the line of the rope as their radii say.
     gap = (model.now(first.point, second.point) * (1j * ray).conjugate()).real
     left = added(*((1, product(shift, part)) for shift, part in zip(shifts, across, strict=True)))
-    model.add("tangent", left, model.offset(gap), first=Point(first.point), second=Point(second.point))
+    model.add(
+        "belt_tangent" if joint.belt else "tangent",
+        left,
+        model.offset(gap),
+        first=Point(first.point),
+        second=Point(second.point),
+    )
     lengths: list[tuple[int, Maybe]] = [(1, product(s, part)) for s, part in zip(shifts, along, strict=True)]
     wound = [(round(sign * _side(model, bend)), bend) for sign, bend in ((1, second), (-1, first)) if bend.radius]
     return [*lengths, *((sign, product(_radius(model, bend), turn)) for sign, bend in wound)], exact

@@ -26,14 +26,15 @@ def contact(task: Task, number: int) -> NoSlipContact | None:
         return None
     ends = (joint.path[0], joint.path[-1])
     first, second = (
-        _side(task, bend, ray, number, i)
+        _side(task, joint, bend, ray, number, i)
         for i, (bend, ray) in enumerate(zip(ends, (pieces[0], pieces[-1]), strict=True))
     )
     if first.is_rest:
         second = _tied(task, second)
     elif second.is_rest:
         first = _tied(task, first)
-    return NoSlipContact("rope", first, second, place="rope.leaves", reason="rope.inextensible")
+    file = "belt" if joint.belt else "rope"
+    return NoSlipContact(file, first, second, place=f"{file}.leaves", reason=f"{file}.inextensible")
 
 
 def _tied(task: Task, side: ContactSide) -> ContactSide:
@@ -54,8 +55,8 @@ def _keeps_direction(task: Task, joint: Rope, pieces: list[complex]) -> bool:
     return all(swing <= _STILL * top for swing in swings)
 
 
-def _side(task: Task, bend: Bend, ray: complex, number: int, end: int) -> ContactSide:
-    """An end of the thread, whose straight piece there has the direction ``ray``."""
+def _side(task: Task, rope: Rope, bend: Bend, ray: complex, number: int, end: int) -> ContactSide:
+    """An end of a thread, whose straight piece there has the direction ``ray``."""
     if bend.fixed:
         return ContactSide(bend.point, "", ray)
     if bend.body is None:
@@ -64,5 +65,11 @@ def _side(task: Task, bend: Bend, ray: complex, number: int, end: int) -> Contac
     radius = float(bend.radius) / task.length_unit
     place = task.now.z[bend.point] + 1j * turn * radius * ray
     return ContactSide(
-        letter_at(task, place, (bend.body,), number, end), bend.point, ray, bend.body, radius, -round(turn)
+        letter_at(task, place, (bend.body,), number, end),
+        bend.point,
+        ray,
+        bend.body,
+        radius,
+        -round(turn),
+        belt=rope.belt,
     )
