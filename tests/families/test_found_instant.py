@@ -55,6 +55,25 @@ def test_a_corner_that_is_reached(tmp_path: Path, capsys: pytest.CaptureFixture[
 
 
 @pytest.mark.parametrize(
+    ("law", "interval", "instant"),
+    [
+        # Touched at 0.70003 s, crossed at 2 s.
+        ("2 + (t - 0.70003)^2 * (2 - t)", "[0, 3]", 0.70003),
+        # The largest value, reached between two of the instants that are looked at.
+        ("2 - 3*(t - 1.00001)^2", "[0, 3]", 1.00001),
+        # So early that it comes before the first of them: 0.01 / 3000 s.
+        ("1.99 + 3000*t", "[0, 3]", 0.01 / 3000),
+        # Its value at the beginning does not count.
+        ("2 + t * (1.3 - t)", "[0, 3]", 1.3),
+    ],
+)
+def test_a_law_that_touches_a_value_reaches_it(law: str, interval: str, instant: float, tmp_path: Path) -> None:
+    changes = (_LAW, f'phi = "{law}"'), ("[0, 3]", interval), (_EVENT, 'instant = "phi = 2 rad"')
+    form = load_family(_changed(tmp_path, *changes)).forms[""]
+    assert float(form.parameters["t"].printed[0]) == pytest.approx(instant, rel=1e-9)
+
+
+@pytest.mark.parametrize(
     ("changes", "said"),
     [
         ([(_EVENT, 'instant = "phi"')], "expected a quantity or a law and its value"),
@@ -62,7 +81,14 @@ def test_a_corner_that_is_reached(tmp_path: Path, capsys: pytest.CaptureFixture[
         ([(_EVENT, 'instant = "phy = 2 rad"')], "neither a law nor a quantity"),
         ([(_EVENT, 'instant = "phi = 2 m"')], "m measures length, angle is due"),
         ([(_EVENT, 'instant = "phi = 2 parsec"')], "unknown unit"),
+        ([(_EVENT, 'instant = "phi = "')], "expected a quantity or a law and its value"),
+        ([(_EVENT, 'instant = "phi = 2 parsec"')], "laws.instant"),
         ([(_EVENT, 'instant = "way_B = 2 cm"')], "has no value at an instant"),
+        ([(_EVENT, 'instant = "omega_AB.sense = 1"')], "has no value at an instant"),
+        ([(_EVENT, 'instant = "y_B = 0"')], "is so from the beginning on"),
+        ([(_EVENT, 'instant = "v_B.angle = 180 deg"')], "is so from the beginning on"),
+        # The rod is shorter than the crank: the mechanism comes apart on the way.
+        ([(_EVENT, 'instant = "v_B = 0.1 m/s"'), ("= 60,", "= 10,")], "does not move all through the interval"),
         ([(_EVENT, 'instant = "phi = 900 deg"')], "does not come in the interval of time"),
         ([("interval = [0, 3]\n", "")], "an instant is found in an interval of time"),
         ([("[laws]", '[parameters]\nt = { unit = "s", values = [1] }\n[laws]')], "is found and cannot be given"),

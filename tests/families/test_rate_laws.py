@@ -108,7 +108,7 @@ def test_a_velocity_leads_to_the_motion(
     [
         ('v = "10 - 0.2*s"', 9.6, -0.2 * 9.6),
         ('a = "4*s", start = { s = 0, v = 3 }', 5, 8),  # v^2 = 9 + 4 s^2
-        ('a = "-4*s", start = { s = 0, v = -5 }', -3, -8),
+        ('a = "-4*s", start = { s = 2.5, v = -4 }', -5, -8),  # v^2 = 16 + 4 (2.5^2 - s^2)
         ('a = "-0.5*v", start = { s = 0, v = 9 }', 8, -4),  # v = 9 - 0.5 s
         ('a = "-0.4*v^2", start = { s = 0, v = 8 }', 8 * math.exp(-0.8), -0.4 * 64 * math.exp(-1.6)),
         # dv^2/ds = 2 (9.81 - 0.02 v^2), by an integrator
@@ -210,6 +210,18 @@ def test_a_crank_between_two_positions(tmp_path: Path, capsys: pytest.CaptureFix
     )
 
 
+def test_a_sheet_of_an_interval_backwards(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    laws = 'phi = { omega = "-100 rpm" }\ninterval = ["90 deg", "30 deg"]'
+    path = tmp_path / "crank.toml"
+    path.write_text(CRANK.format(parameter='phi = { unit = "deg", values = [60] }', laws=laws), encoding="utf-8")
+    for language in ("en", "ru"):
+        assert main(["show", str(path), "--ask", "duration_B", "--lang", language, "--explain"]) == 0
+        assert "90 ≥ φ ≥ 30°" in _plain(capsys)
+        assert (
+            main(["show", str(path), "--ask", "duration_B", "--lang", language, "--out", str(tmp_path / "p.pdf")]) == 0
+        )
+
+
 def test_a_crank_with_an_angular_acceleration_of_the_time(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """``epsilon = 6 t`` from rest at 20 degrees: ``phi = t^3 + 20 degrees``."""
     laws = 'time = "t"\nphi = { epsilon = "6*t", start = { phi = "20 deg", omega = 0 } }'
@@ -288,6 +300,18 @@ def test_a_sheet_tells_the_rate_and_the_start(tmp_path: Path, capsys: pytest.Cap
     assert main(["check", path]) == 0
 
 
+def test_a_start_is_told_in_the_unit_in_which_it_is_short(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """30 rpm are pi rad/s; and what the law says of the crank, the angle of OA, stands on the sheet once."""
+    laws = 'phi = { epsilon = "-2*omega", start = { phi = "10 deg", omega = "30 rpm" } }'
+    path = tmp_path / "crank.toml"
+    path.write_text(CRANK.format(parameter='phi = { unit = "deg", values = [30] }', laws=laws), encoding="utf-8")
+    for language, unit in (("en", "rpm"), ("ru", "об/мин")):
+        assert main(["show", str(path), "--ask", "v_B", "--lang", language]) == 0
+        shown = " ".join(_plain(capsys).split())
+        assert f"φ̇_0 = 30 {unit}" in shown
+        assert shown.count("∠(OA, x)") == 1
+
+
 def test_a_start_by_a_parameter(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     parameters = f'{BY_TIME}\nu = {{ unit = "m/s", values = [8] }}'
     path = _written(tmp_path, 'a = "-0.4*v", start = { s = "2 m", v = "u" }', parameters)
@@ -296,6 +320,16 @@ def test_a_start_by_a_parameter(tmp_path: Path, capsys: pytest.CaptureFixture[st
     shown = _plain(capsys)
     assert "u = 8 m/s" in shown
     assert "ṡ_0 = u" in shown
+
+
+def test_values_that_do_not_come_to_the_place_are_no_contradiction(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """``v^2 = u^2 - 4 s^2``: with 3 m/s it turns back before 2 m, and the others stay."""
+    parameters = f'{BY_PLACE}\nu = {{ unit = "m/s", values = [3, 5, 8] }}'
+    path = _written(tmp_path, 'a = "-4*s", start = { s = "0 m", v = "u" }', parameters)
+    assert main(["solve", path, "--set", "u=5", "--ask", "v_B.x"]) == 0
+    assert "v_B.x = 3 m/s" in _plain(capsys)
 
 
 @pytest.mark.parametrize("parameter", [BY_TIME, BY_PLACE])
@@ -320,6 +354,19 @@ def test_an_acceleration_is_told_where_velocities_depend_on_it(
         ('a = "v^2 + t", start = { s = 0, v = 9 }', BY_TIME, "laws.s", "does not come from its start"),
         ('v = "sqrt(1 - t)", start = { s = 0 }', BY_TIME, "laws.s", "does not come from its start"),
         ('a = "-4*s", start = { s = 0, v = 3 }', BY_PLACE, "laws.s", "its velocity comes to zero before"),
+        # Thrown upwards it comes to a place below with a velocity downwards, not with that of the way there.
+        ('a = "-9.8", start = { s = 4, v = 5 }', BY_PLACE, "laws.s", "or leads away"),
+        ('a = "4*s", start = { s = 0, v = 0 }', BY_PLACE, "laws.s", "its velocity comes to zero before"),
+        (
+            'a = "-4*s", start = { s = "0 m", v = "u" }',
+            f'{BY_PLACE}\nu = {{ unit = "m/s", values = [-8, 7, 8] }}',
+            "laws.s.start",
+            "now forwards, now backwards",
+        ),
+        # Through a pole, which none of the places that are looked at need meet.
+        ('v = "1/(t - 1.01)^2", start = { s = 0 }', BY_TIME, "laws.s", "does not come from its start"),
+        ('v = "s^2", start = { s = 0.99 }', BY_TIME, "laws.s", "does not come from its start"),
+        ('a = "-1/(s - 1.01)^3", start = { s = 0, v = 1 }', BY_PLACE, "laws.s", "does not come from its start"),
         ("v = 1, a = 2, start = { s = 0 }", BY_TIME, "laws.s", "one rate"),
         ('omega = "2"', BY_PLACE, "laws.s", "an angle"),
         ('v = "2*v", start = { s = 0 }', BY_TIME, "laws.s", "cannot depend on itself"),

@@ -241,7 +241,7 @@ def _measured(kind: str, ends: tuple[str, str], source: FamilyExpression, form: 
     if source.text not in form.parameters:
         if source.text not in form.laws:
             yield datum
-    elif source.text not in (name, ends[1] + ends[0]) and source.text not in _marked(form):
+    elif source.text not in (name, ends[1] + ends[0], *form.laws) and source.text not in _marked(form):
         yield replace(datum, source=source)
 
 

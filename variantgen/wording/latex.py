@@ -46,6 +46,7 @@ class _Latex(Markup):
             "≈": r" \approx ",
             "<": " < ",
             "≤": r" \le ",
+            "≥": r" \ge ",
             "→": r" \to ",
             "∥": r" \parallel ",
             "⟂": r" \perp ",

@@ -134,9 +134,11 @@ class _RateEquations:
             item = item.above
         if not isinstance(item, Constant):
             return _formula(item, self._language, self._form.symbols)
-        own = unit("s" if order is None else self._units[order])
-        value = item.value if order is None else own.from_si(item.value * self._scale)
-        return Measured(_number(value, self._language), self._language.unit(own))
+        if order is None:
+            return Measured(_number(item.value, self._language), self._language.unit(unit("s")))
+        si = item.value * self._scale
+        own = short_unit(si, unit(self._units[order])) if order else unit(self._units[order])
+        return Measured(_number(own.from_si(si), self._language), self._language.unit(own))
 
 
 def _at_start(symbol: Symbol) -> Symbol:

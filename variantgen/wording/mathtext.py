@@ -55,6 +55,7 @@ class _Mathtext(Markup):
             "≈": r"\approx{}",
             "<": "<",
             "≤": r"\leq{}",
+            "≥": r"\geq{}",
             "→": r"\to{}",
             "∥": r"\parallel{}",
             "⟂": r"\perp{}",

@@ -75,7 +75,7 @@ def check_driven(form: Form, time: str) -> None:
     ``time`` is the parameter that is the instant, or the place whose velocity is given. A place that no law gives, or
     that cannot be assembled, proves nothing and is passed over.
     """
-    base = _draws(form)
+    base = _with_meaning(form, _draws(form))
     rate = form.values(base).get(f"{time}_dot", 1.0)  # of a place its velocity
     values = [form.values(base | {time: base[time] + side * _STEP * rate}) for side in (0, 1, -1)]
     derived = {f"{law}{dots}": law for law in form.laws for dots in ("_dot", "_ddot")}
@@ -127,6 +127,17 @@ def _draws(form: Form) -> dict[str, NDArray[np.float64]]:
         words = np.random.Philox(i).random_raw(_DRAWS)
         found[name] = parameter.si[(words % np.uint64(len(parameter.si))).astype(int)]
     return found
+
+
+def _with_meaning(form: Form, draws: Mapping[str, NDArray[np.float64]]) -> dict[str, NDArray[np.float64]]:
+    """The draws, in the place of those for which a law has no value others for which all have one."""
+    values = form.values(draws)
+    rates = [
+        form.derived[law + dots] for law in form.laws for dots in ("", "_dot", "_ddot") if law + dots in form.derived
+    ]
+    known = np.logical_and.reduce([np.broadcast_to(rate.defined(values), _DRAWS) for rate in rates])
+    chosen = np.where(known, np.arange(_DRAWS), np.argmax(known))
+    return {name: drawn[chosen] for name, drawn in draws.items()}
 
 
 def _field(template: ComponentTemplate, measure: str) -> _Field | None:

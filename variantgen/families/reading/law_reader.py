@@ -11,6 +11,8 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from variantgen.algebra.expression import Raised, Ratio, SquareRoot, Times
+from variantgen.algebra.values import walk
 from variantgen.errors import InputError, Problem
 from variantgen.families.course import Interval
 from variantgen.families.family import Form
@@ -18,13 +20,14 @@ from variantgen.families.parameters.dimensions import Dimension
 from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.families.parameters.laws import Law, PlainLaws, fed_measures, split_law
 from variantgen.families.parameters.parameter import Parameter
-from variantgen.families.parameters.rate_law import RateLaw
+from variantgen.families.parameters.rate_law import RateLaw, starting_sign
 from variantgen.families.parameters.solved_law import SolvedLaw
 from variantgen.families.parameters.units import UNITS, Unit
 from variantgen.families.reading.driven_laws import check_driven
 from variantgen.families.reading.rate_reader import Quantity, RateReader, ReadRate, is_rate_law, rates_of
 from variantgen.tables import Table
 
+_NOTHING = 1e-9  # of the largest acceleration: a law that begins at rest with it never leaves its place
 _BETWEEN = 64  # values of the variable between the start of a law and the instant
 _OWN = ("time", "interval", "instant")  # keys of the table that are no laws
 _Stated = tuple[FamilyExpression, Unit | None]  # a law as it is written, and the unit beside it
@@ -225,12 +228,20 @@ def _check_laws(form: Form) -> None:
     for name, law in form.laws.items():
         if law.rate is None or law.rate.start is None:
             continue
+        if law.rate.is_by_place and law.rate.order == 2 and len(_senses(form, law.rate)) > 1:
+            said = (
+                "starts now forwards, now backwards: the values of its parameters differ in the sense of the velocity"
+            )
+            remedy = "give the start one sense for all values, or make a form of each"
+            problems.append(Problem(said, key=f"laws.{name}.start", value=law.rate.text, remedy=remedy))
+            continue
         values = form.values({given: float(p.si[len(p.si) // 2]) for given, p in form.parameters.items()})
         if not _comes_so_far(form, law, law.rate, values):
             at = values[law.rate.variable]
             said = "does not come from its start to the instant of the problem"
             if law.rate.is_by_place:
-                said = "does not come from its start to the place of the problem: its velocity comes to zero before"
+                why = "its velocity comes to zero before, or leads away"
+                said = f"does not come from its start to the place of the problem: {why}"
             stated, remedy = (
                 f"{law.rate.variable} = {at:.6g} (SI)",
                 "check the signs, or take a value nearer to the start",
@@ -249,7 +260,31 @@ def _comes_so_far(form: Form, law: Law, rate: RateLaw, values: Mapping[str, floa
     data: dict[str, Any] = {given: np.full(_BETWEEN, values[given]) for given in form.parameters} | {rate.variable: way}
     found = form.values(data)
     names = [f"{rate.name}_dot"] if rate.is_by_place else [rate.name, f"{rate.name}_dot"]
-    if not all(np.all(form.derived[name].defined(found)) for name in names):
+    if not all(np.all(form.derived[name].defined(found)) and _has_no_pole(form.derived[name], found) for name in names):
         return False
-    velocity = np.broadcast_to(found[names[-1]], (_BETWEEN,))[1:]
-    return not rate.is_by_place or bool(np.all(velocity > 0) or np.all(velocity < 0) or np.ptp(way) == 0)
+    if not rate.is_by_place or np.ptp(way) == 0:
+        return True
+    velocity, acceleration = (np.broadcast_to(found[rate.name + dots], (_BETWEEN,)) for dots in ("_dot", "_ddot"))
+    leaves = velocity[0] != 0 or abs(acceleration[0]) > _NOTHING * np.max(np.abs(acceleration))
+    return bool(leaves and np.all(velocity[1:] * (way[-1] - way[0]) > 0))
+
+
+def _senses(form: Form, rate: RateLaw) -> set[int]:
+    """The senses in which a law by its place starts, for the least and the largest value of each parameter."""
+    middle = {name: float(p.si[len(p.si) // 2]) for name, p in form.parameters.items()}
+    ends = [{name: float(end)} for name, p in form.parameters.items() for end in (np.min(p.si), np.max(p.si))]
+    return {starting_sign(rate, form.values(middle | end)) for end in ends}
+
+
+def _has_no_pole(expression: FamilyExpression, values: Mapping[str, Any]) -> bool:
+    """Whether nothing by which it is divided, and no base of a power or a root there, changes its sign on the way."""
+    below = [item.below for item in walk(expression.tree) if isinstance(item, Ratio)]
+    while below:
+        part = below.pop()
+        if isinstance(part, Times | Raised | SquareRoot):
+            below += part.operands()
+            continue
+        signs = np.sign(FamilyExpression("", part).value(values))
+        if np.ptp(signs) > 0:
+            return False
+    return True

@@ -204,7 +204,7 @@ class PointCoordinates:
     y: Formula
 
 
-SIGNS = ("=", "≈", "<", "≤", "→", "∥", "⟂")
+SIGNS = ("=", "≈", "<", "≤", "≥", "→", "∥", "⟂")
 
 
 @dataclass(frozen=True)

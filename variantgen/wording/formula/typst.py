@@ -48,6 +48,7 @@ class _Typst(Markup):
             "≈": " approx ",
             "<": " lt ",
             "≤": " lt.eq ",
+            "≥": " gt.eq ",
             "→": " arrow.r ",
             "∥": " parallel ",
             "⟂": " perp ",
