@@ -81,7 +81,8 @@ def read_composed(
     with table.collecting(""):
         there = len(chosen_structures(groups, links))
         if there < (said or 1):
-            table.problem(f"there are only {there} such structures", "structures", said, f"structures = {there}")
+            many = "is only 1 such structure" if there == 1 else f"are only {there} such structures"
+            table.problem(f"there {many}", "structures", said, f"structures = {there}")
     if len(table.problems) > noted:
         return ()
     for folder in folders:
