@@ -261,6 +261,9 @@ def modulus(book: Book, name: Name, terms: Known) -> Value:
         return book.graphics.size(book, name, terms)
     if len(terms) > 2 or (len(terms) == 2 and not _are_square(terms)):
         return natural_modulus(book, name, terms)
+    if len({term.name.whole for term in terms}) > 1:  # components of one vector are known to be across each other
+        first, other = (VectorOf(term.name) for term in terms)
+        book.say("natural.square", False, vector=first, other=other)
     return book.derive(name, book.measure, hypotenuse(sizes))
 
 
