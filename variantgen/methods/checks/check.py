@@ -1,10 +1,12 @@
-"""The check of a solution: the first that applies, its angles as a reader of the steps knows them."""
+"""The check of a solution: the first that applies and comes out, its angles as a reader of the steps knows them."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
+from variantgen.algebra.decimals import PRINTED_DIGITS
 from variantgen.algebra.expression import Value
+from variantgen.algebra.values import in_order
 from variantgen.methods.checks.about_axis import about_axis
 from variantgen.methods.checks.carrier_frame import from_the_arm
 from variantgen.methods.checks.elimination import elimination
@@ -18,17 +20,45 @@ from variantgen.methods.checks.result_check import equal_projections, third_axis
 from variantgen.methods.checks.velocity_check import base_point_of_velocities
 from variantgen.methods.solution.book import Book
 from variantgen.methods.solution.used import used_lines
+from variantgen.methods.steps.printed_digits import items_values
 from variantgen.methods.steps.step import Item, Step
+
+_NEAR = 1e-3  # of a number: so near comes who works it out with the printed ones before it
 
 
 def check_of(book: Book, steps: Sequence[Step], found: Sequence[Value]) -> tuple[Item, ...]:
     """The check of a solution group by group with the answers ``found``; nothing where no relation is left."""
     needed = used_lines(steps, found)  # what is compared: a check works out no quantity of its own
-    check = third_axis(steps) or other_base_point(book, steps) or base_point_of_velocities(book, needed)
-    check = check or equal_projections(book) or other_axes(book, steps) or from_the_arm(book, steps)
-    check = check or about_axis(book, steps) or growth_of_speed(book, steps) or limit_triangle(book)
-    check = check or elimination(book, steps) or magnitudes(book, steps)
-    return by_known_angles(check, known_angles(needed, found))
+    ways: tuple[Callable[[], Sequence[Item]], ...] = (
+        lambda: third_axis(steps),
+        lambda: other_base_point(book, steps),
+        lambda: base_point_of_velocities(book, needed),
+        lambda: equal_projections(book),
+        lambda: other_axes(book, steps),
+        lambda: from_the_arm(book, steps),
+        lambda: about_axis(book, steps),
+        lambda: growth_of_speed(book, steps),
+        lambda: limit_triangle(book),
+        lambda: elimination(book, steps),
+        lambda: magnitudes(book, steps),
+    )
+    angles = known_angles(needed, found)
+    checks = (by_known_angles(way(), angles) for way in ways)
+    return next((check for check in checks if check and _is_repeated(check)), ())
+
+
+def _is_repeated(check: Sequence[Item]) -> bool:
+    """Whether a reader with the printed numbers gets those of a check; not where large numbers nearly cancel."""
+    values = items_values(check)
+    for value in in_order(values):
+        value.round_to(PRINTED_DIGITS)
+    return all(value.comes_out or _is_near(value) for value in values)
+
+
+def _is_near(value: Value) -> bool:
+    """Whether the printed numbers before a value lead to one near it."""
+    again = value.shown if value.expression is None else value.expression.number(exact=False)
+    return abs(again - value.shown) <= _NEAR * abs(value.shown)
 
 
 def third_axis_of(steps: Sequence[Step], found: Sequence[Value]) -> tuple[Item, ...]:
