@@ -48,7 +48,11 @@ def draw_geometry(board: MotionBoard, subject: FigureSubject, symbols: Symbols, 
         own = corner.centre == body and "centre" in sketch.at
         key = "centre" if own and corner.at_centre else corner.vertex
         seen_points = {*board.shown, *(("P", "Q") if own else ())}
-        if (corner.centre and not own) or not _is_seen(corner, seen_points):
+        if corner.centre and not own:
+            # The ray to a centre that is not drawn is seen where a vector lies on its line.
+            if corner.at_centre or key not in board.shown or _drawn_lines(board, key, corner) < 2:
+                continue
+        elif not _is_seen(corner, seen_points):
             continue
         sides = _on_lines(board, key, corner) if corner.either else corner.sides
         at, sweep = sketch.at[key], cmath.phase(sides[1] / sides[0])
@@ -75,18 +79,24 @@ def draw_geometry(board: MotionBoard, subject: FigureSubject, symbols: Symbols, 
 
 
 def _is_seen(corner: Corner, points: set[str]) -> bool:
-    """Whether a figure has the vertex of an angle and a point of its sides; both where one is a velocity centre."""
+    """Whether a figure has the vertex of an angle and a point of its sides; both points of a part, or with a centre."""
     ends = points & set(corner.ends)
-    return corner.vertex in points and len(ends) >= min(len(corner.ends), 2 if corner.centre else 1)
+    return corner.vertex in points and len(ends) >= min(len(corner.ends), 2 if corner.centre or corner.is_part else 1)
 
 
 def _placed(board: MotionBoard, corner: Corner) -> Corner:
-    """An angle whose vertex is not in the figure at a point where it is seen again, one side on what is drawn."""
-    points = (name for name in corner.carried if name in board.shown and corner.vertex not in board.shown)
-    ways = (*corner.sides, *(-side for side in corner.sides))
-    seen = (name for name in points if any(board.sketch.is_taken(name, way, math.radians(2)) for way in ways))
-    place = next(seen, "")
-    return replace(corner, vertex=place, either=True) if place else corner
+    """An angle whose vertex is not in the figure at the point where more of its sides are drawn, the nearest first."""
+    if corner.vertex in board.shown or corner.is_part:
+        return corner
+    points = [name for name in corner.carried if name in board.shown]
+    drawn = {name: _drawn_lines(board, name, corner) for name in points}
+    place = max(points, key=lambda name: drawn[name], default="")
+    return replace(corner, vertex=place, either=True) if place and drawn[place] else corner
+
+
+def _drawn_lines(board: MotionBoard, key: str, corner: Corner) -> int:
+    """On how many of the lines of its sides something is drawn at a point."""
+    return sum(any(board.sketch.is_taken(key, way, math.radians(2)) for way in (side, -side)) for side in corner.sides)
 
 
 def _on_lines(board: MotionBoard, key: str, corner: Corner) -> tuple[complex, complex]:
