@@ -229,6 +229,15 @@ def test_the_letter_of_an_angle_of_a_step_is_in_its_figure(
     assert any(abs(arc - slope) < 0.02 for arc in arcs)
 
 
+@pytest.mark.parametrize("form", ["straight", "oblique"])
+def test_the_rod_of_a_yoke_slides_in_a_hatched_bearing(form: str) -> None:
+    motion, _, figures = solved("scotch_yoke", form, "1")
+    for drawing in (figure.drawing for view, figure in figures.items() if "equation" in view):
+        bearing = place_of(motion, "S", drawing)
+        strokes = [line for line in drawing.lines if isinstance(line, Strokes)]
+        assert sum(abs(start - bearing) < 8.0 for line in strokes for start, _ in line.segments) >= 6
+
+
 def marked_at(motion: Motion, point: str, drawing: Drawing) -> list[float]:
     """The angles (deg) whose arcs stand at a point."""
     place = place_of(motion, point, drawing)
