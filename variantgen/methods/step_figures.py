@@ -196,9 +196,13 @@ def _named(step: Step) -> Iterator[Value]:
 
 
 def _shown_names(step: Step) -> set[Name | None]:
-    """The names that stand in the lines of a step: of what a named value is made only where it is derived."""
+    """The names that the lines of a step are about; of what a value is made where it has no name or is no angle.
+
+    The parts of an angle are where it is worked out, not at its vectors.
+    """
     values, derived = items_values(step.items), _derived(step)
-    parts = [part for value in (*values, *derived) if value.name is None or value in derived for part in made_of(value)]
+    whole = [value for value in derived if value.measure != "angle"]
+    parts = [part for value in (*values, *derived) if value.name is None or value in whole for part in made_of(value)]
     return {value.name for value in (*values, *derived, *parts)}
 
 
