@@ -268,6 +268,19 @@ def test_the_angles_of_the_equations_are_marked_without_the_velocity_centre() ->
     assert "φ" not in {to_plain(label.formula) for label in drawing.labels}
 
 
+@pytest.mark.parametrize("seed", SEEDS)
+def test_the_given_angle_of_a_cam_is_marked_from_its_radius(seed: str) -> None:
+    """The disc is drawn without the line OC, of which the angle is one with the line OD."""
+    motion, _, figures = solved("cam_disc", "flat", seed)
+    drawing = figures["velocities"].drawing
+    z = {point: complex(motion.z[point][0]) for point in "OCD"}
+    angle = math.degrees(abs(cmath.phase((z["C"] - z["O"]) / (z["D"] - z["O"]))))
+    assert any(abs(arc - angle) < 0.02 for arc in marked_at(motion, "O", drawing))
+    ends = {place_of(motion, "O", drawing), place_of(motion, "C", drawing)}
+    lines = [line.points for line in drawing.lines if isinstance(line, Path) and len(line.points) == 2]
+    assert any(all(min(abs(end - point) for point in line) < 1e-6 for end in ends) for line in lines)
+
+
 def test_the_triangle_of_a_velocity_centre_is_marked() -> None:
     # Offset slider-crank: the angles of AP and AB with the path of B, by which both have one projection on it.
     drawing = solved("slider_crank", "offset", "1")[2]["velocity_centre:AB"].drawing

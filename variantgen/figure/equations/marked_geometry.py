@@ -66,7 +66,7 @@ def draw_geometry(board: MotionBoard, subject: FigureSubject, symbols: Symbols, 
         least = 1.4 * _ARC if sweep < _NARROW else _ARC
         radius = max([least, *(other[-1] + _WIDER for other in same)])
         seen.append((at, start, sweep, radius))
-        _draw_sides(board, key, sides, radius)
+        _draw_sides(board, key, sides, radius, _beside(board, subject, corner))
         if abs(sweep - math.pi / 2) < _RIGHT:
             first, second = (_SQUARE * side / abs(side) for side in sides)
             sketch.path((at + first, at + first + second, at + second), Layer.MARK, THIN)
@@ -151,8 +151,18 @@ def _name(corner: Corner, formulas: Formulas) -> Formula:
     return formulas.measured(corner.value) if name is None or name.kind == "angle" else formulas.symbol(corner.value)
 
 
-def _draw_sides(board: MotionBoard, key: str, sides: tuple[complex, complex], radius: float) -> None:
-    """Thin lines along the sides of an angle that nothing lies on as far as its arc."""
+def _beside(board: MotionBoard, subject: FigureSubject, corner: Corner) -> list[complex]:
+    """The ways (u) to points on the sides that one body has with the vertex: a disc is drawn without such lines."""
+    bodies = [members for members in subject.form.bodies.values() if corner.vertex in members]
+    at = board.sketch.at
+    own = [name for name in corner.carried if name in board.shown and any(name in members for members in bodies)]
+    return [at[name] - at[corner.vertex] for name in own]
+
+
+def _draw_sides(
+    board: MotionBoard, key: str, sides: tuple[complex, complex], radius: float, links: Sequence[complex]
+) -> None:
+    """Thin lines along the sides of an angle that nothing lies on as far as its arc; whole ``links`` on them."""
     sketch = board.sketch
     drawn = sketch.obstacles.segments()
     for side in sides:
@@ -164,7 +174,8 @@ def _draw_sides(board: MotionBoard, key: str, sides: tuple[complex, complex], ra
         else:
             seen = False
         if not seen:
-            end = sketch.at[key] + (radius + _BEYOND) * way
+            ends = [link for link in links if abs(link) > radius and abs(cmath.phase(link / side)) < _SAME]
+            end = sketch.at[key] + (max(ends, key=abs) if ends else (radius + _BEYOND) * way)
             sketch.path((sketch.at[key], end), Layer.GROUND, THIN)
 
 
