@@ -61,15 +61,19 @@ def test_a_sum_of_three_vectors_has_its_magnitude_on_other_axes() -> None:
 
 
 def test_long_sums_have_lines_of_their_own() -> None:
-    """A pulley of 0.5 m between cords with v = 2, 1 and a = 3, 1 m/s^2 upwards: omega = 1, epsilon = 2, a_C = 2."""
-    data = {"R": 0.5, "alpha": 30, "v_A": 2, "v_B": 1, "a_A": 3, "a_B": 1}
+    """A pulley of 0.5 m between cords with v = 2, 1 and a = 1, 3 m/s^2 upwards: omega = 1, epsilon = 2, a_C = 2.
+
+    Across CM the components cancel, so there is but one line to compare: a_M = 2 cos 30 - 0.5.
+    """
+    data = {"R": 0.5, "alpha": 30, "v_A": 2, "v_B": 1, "a_A": 1, "a_B": 3}
     words = {"way_A": 1, "way_B": 1, "place": 1}
     book = worked_book("movable_pulley", "two_loads", "a_M", **data, **words)
     match other_axes(book, book.steps):
         case [Sentence("check.other_axes_apart"), Derived(along), Derived(across), Balance(left, right)]:
-            # M is 30 degrees to the left of the highest point: omega^2 R = 0.5 to C, epsilon R = 1 to the right.
-            own = (2 - 0.5 * cos(pi / 6) + 1 * sin(pi / 6), 1 * cos(pi / 6) + 0.5 * sin(pi / 6))
+            # M is 30 degrees to the left of the highest point: omega^2 R = 0.5 to C, epsilon R = 1 to the left.
+            own = (2 - 0.5 * cos(pi / 6) - 1 * sin(pi / 6), 1 * cos(pi / 6) - 0.5 * sin(pi / 6))
             assert (along.exact, across.exact) == pytest.approx(own)
+            assert left.exact == pytest.approx(2 * cos(pi / 6) - 0.5)
             assert left.exact == pytest.approx(right.exact) == pytest.approx(hypot(along.exact, across.exact))
         case found:
             raise AssertionError(found)

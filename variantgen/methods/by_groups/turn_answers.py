@@ -29,7 +29,7 @@ def turn_answer(book: Book, quantity: Quantity) -> Value:
     name = turn_name(quantity)
     if name in book.values:
         return book.values[name]
-    with book.step("turn.heading", value=name):
+    with book.step(_heading(quantity), value=name):
         if quantity.kind in _TO_AND_FRO:
             found = _by_limits(book, quantity.kind, quantity.target)
         elif quantity.kind.startswith(MEAN):
@@ -37,6 +37,13 @@ def turn_answer(book: Book, quantity: Quantity) -> Value:
         else:
             found = None
         return book.derive(name, turn_measure(quantity), found) if found is not None else by_positions(book, quantity)
+
+
+def _heading(quantity: Quantity) -> str:
+    """The heading that says what is found; the symbol of an extreme does."""
+    if quantity.kind in _TO_AND_FRO:
+        return f"turn.heading_{quantity.kind}"
+    return "turn.heading_mean" if quantity.kind.startswith(MEAN) else "turn.heading"
 
 
 @dataclass(frozen=True)

@@ -2,8 +2,8 @@
 
 Vectors across each other are ``sqrt(a^2 + b^2)``, vectors along one line are added. Else the axes go along and across
 that vector which leaves the fewest oblique ones, a normal component of an acceleration before others. Each oblique
-vector costs two cosines. Up to three vectors the magnitude is one line, of more the two components have lines of their
-own.
+vector costs two cosines. A root of more than three projections would be set too small to be read in a column: of more
+than two vectors, some of them oblique, the two components have lines of their own.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from variantgen.methods.vectors.vector_equation import shares
 
 _STRAIGHT = 1e-7  # degrees within which two directions are one line, or square
 _NOTHING = 1e-9  # of the largest vector: a smaller sum is none
-_ONE_LINE = 3  # so many vectors fit into one line
+_ONE_LINE = 2  # so many vectors fit into one line where some are oblique
 _NATURAL, _OWN = ("on_n", "on_tau"), ("xi", "eta")  # components by their axes: of a path or a rim, and others
 
 
@@ -63,7 +63,7 @@ def ordered_sum(terms: Sequence[tuple[int, Expression]]) -> Expression:
 def natural_modulus(book: Book, name: Name, terms: Sequence[Term], divisor: int = 1) -> Value:
     """The magnitude of a sum of known vectors (divided by a whole number), with its lines."""
     axes = _axes(terms)
-    if max(len(terms), 2) > _ONE_LINE and _oblique(terms, axes[0].angle):
+    if len(terms) > _ONE_LINE and _oblique(terms, axes[0].angle):
         found = natural_components(book, name, terms, divisor)
         return book.derive(name, book.measure, hypotenuse([term.size for term in found if term.size is not None]))
     axes = _named(book, axes)

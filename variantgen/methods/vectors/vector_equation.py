@@ -5,8 +5,9 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
-from variantgen.algebra.expression import Constant, Expression, Total, Value
+from variantgen.algebra.expression import Expression, Total, Value
 from variantgen.algebra.name import Name
 from variantgen.methods.geometry.angle_sums import acute, supplement
 from variantgen.methods.geometry.geometry import Geometry, normal_angle
@@ -135,8 +136,9 @@ def _projected(
     book.items.append(Projection(words, sides[0], sides[1], axis, "" if other is None else letter))
     if total is not None and own.factor is not None:
         expression: Expression = total / own.factor
-    elif book.style.shortcuts and len(known) == 1 and known[0][0] > 0 and has_angle(known[0][1], own):
-        expression = known[0][1].term.size or Constant(0.0)  # equal angles: the magnitudes are equal
+    elif book.style.shortcuts and known and all(has_angle(share, own) for _, share in known):
+        # Equal angles: the equation is one of magnitudes.
+        expression = quotient(collected([(sign, replace(share, angle=None)) for sign, share in known]), None)
     else:
         expression = quotient(collected(known), own.factor)
     value = Value(term.name, book.measure, expression.number(True), expression, book.size_of(book.measure))
