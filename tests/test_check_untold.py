@@ -14,6 +14,9 @@ from variantgen.families.reading.files import FAMILY
 from variantgen.families.reading.load import load_family
 from variantgen.single import asked_quantities, one_variant
 from variantgen.skeletons import new_family
+from variantgen.wording.formula import to_plain
+from variantgen.wording.language import load_language
+from variantgen.wording.statement import statement
 
 _ON_NO_SHEET = "is on no sheet"
 _ROD = '{ line_circle = { through = "O", centre = "A", distance = "AB" } }'
@@ -120,6 +123,41 @@ def test_a_scene_tells_its_own_numbers(distance: str, tmp_path: Path) -> None:
     path = tmp_path / "scene.toml"
     path.write_text(_SCENE.replace("DISTANCE", distance), "utf-8")
     assert not _found(path)
+
+
+_INCLINED = """
+length_unit = "mm"
+ask = ["v_B"]
+[points]
+O = { coordinates = { x = 0, y = 0 } }
+C = { coordinates = { x = -40, y = 60 } }
+A = { polar = { origin = "C", distance = 40, angle = 40 } }
+B = { line_circle = { through = "O", angle = PLACED, centre = "A", distance = 90 } }
+[bodies]
+CA = ["C", "A"]
+AB = ["A", "B"]
+[[joints]]
+pivot = { point = "C" }
+[[joints]]
+pivot = { point = "O" }
+[[joints]]
+guide = { point = "B", angle = 35 }
+[[drivers]]
+rotation = { body = "CA", omega = 2 }
+"""
+
+
+def test_a_sheet_tells_through_which_point_the_line_of_a_guide_passes(tmp_path: Path) -> None:
+    """Where B is placed on the line of its guide; on another line through O the sheet leaves that one open."""
+    path = tmp_path / "scene.toml"
+    for placed, told in (("35", True), ("36", False)):
+        path.write_text(_INCLINED.replace("PLACED", placed), "utf-8")
+        variant = one_variant(str(path))
+        for language, said in (("en", "its line passes through O"), ("ru", "её линия проходит через точку O")):
+            text = statement(variant, asked_quantities(variant), load_language(language)).text
+            words = "".join(part if isinstance(part, str) else to_plain(part) for part in text)
+            assert (said in words) is told
+        assert bool(_found(path)) is not told
 
 
 @pytest.mark.parametrize("folder", ["textbook_kinds", "kind_scenes", "books"])

@@ -372,6 +372,8 @@ def test_an_acceleration_is_told_where_velocities_depend_on_it(
         ('v = "2*v", start = { s = 0 }', BY_TIME, "laws.s", "cannot depend on itself"),
         ('v = "6*q", start = { s = 0 }', BY_TIME, "laws.s", "unknown name"),
         ('v = "2*t^2*m", start = { s = 0 }', BY_TIME, "laws.s", "expected a velocity"),
+        ('a = "6*t", start = { s = "one m", v = 9 }', BY_TIME, "laws.s.start.s", "not an arithmetic expression"),
+        ('a = "6*t", start = { s = 0, v = "9 s" }', BY_TIME, "laws.s.start.v", "9 s"),
         ('v = "t", unit = "deg", start = { s = 0 }', BY_TIME, "laws.s.unit", "unit of length"),
     ],
 )
@@ -382,6 +384,14 @@ def test_mistakes_are_said(
     shown = capsys.readouterr().err
     assert f"{key}:" in shown
     assert said in shown
+
+
+def test_a_driver_against_its_law_is_told_at_a_place(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """v = 3 / s times 0.2 m; the driver goes the other way."""
+    path = Path(_written(tmp_path, 'v = "3*s"', 's = { unit = "mm", values = [200] }', unit="mm"))
+    path.write_text(path.read_text("utf-8").replace('"s_dot"', '"-s_dot"'), encoding="utf-8")
+    assert main(["solve", str(path), "--ask", "v_B"]) == 2
+    assert "expected 0.6 m/s, for at s = 200 mm its place" in capsys.readouterr().err
 
 
 def test_an_interval_against_the_motion_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

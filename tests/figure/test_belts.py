@@ -142,12 +142,29 @@ def test_the_speed_of_a_belt_as_an_arrow(side: str, tmp_path: Path) -> None:
     file = scene(tmp_path, FIRST, station("C", 25, side, "B"), FIRST)
     Path(file).write_text(Path(file).read_text().replace('"v_M"', '"v_rope.C.O"').replace('["C", "M"]', '["C"]'))
     figure = picture(one_variant(file), "velocities").drawing
-    named = next(label for label in figure.labels if "cord CO" in to_plain(label.formula))
+    named = next(label for label in figure.labels if "belt CO" in to_plain(label.formula))
     assert named.arrow is not None
     arrow = named.arrow[1] - named.arrow[0]
     out, _ = strands(figure)
     way = (out[0] - out[1]) / abs(out[0] - out[1])
     assert arrow / abs(arrow) == pytest.approx(way)
+
+
+@pytest.mark.parametrize(
+    ("language", "symbol", "note"),
+    [
+        ("en", "v_belt CO (cm/s)", "The index belt CO: speed of the belt between C and O."),
+        ("ru", "v_ремня CO (см/с)", "Индекс «ремня CO» — скорость ремня между C и O."),
+    ],
+)
+def test_the_speed_of_a_belt_is_called_so(
+    language: str, symbol: str, note: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = scene(tmp_path, FIRST, station("C", 25, "left", "B"), FIRST)
+    assert main(["show", file, "--lang", language, "--ask", "v_rope.C.O in cm/s"]) == 0
+    said = " ".join(capsys.readouterr().out.split())
+    assert symbol in said
+    assert note in said
 
 
 def test_the_base_of_a_small_pulley_stands_outside_its_rim(tmp_path: Path) -> None:

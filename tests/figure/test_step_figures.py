@@ -229,6 +229,58 @@ def test_the_letter_of_an_angle_of_a_step_is_in_its_figure(
     assert any(abs(arc - slope) < 0.02 for arc in arcs)
 
 
+@pytest.mark.parametrize("form", ["straight", "oblique"])
+def test_the_rod_of_a_yoke_slides_in_a_hatched_bearing(form: str) -> None:
+    motion, _, figures = solved("scotch_yoke", form, "1")
+    for drawing in (figure.drawing for view, figure in figures.items() if "equation" in view):
+        bearing = place_of(motion, "S", drawing)
+        strokes = [line for line in drawing.lines if isinstance(line, Strokes)]
+        assert sum(abs(start - bearing) < 8.0 for line in strokes for start, _ in line.segments) >= 6
+
+
+def marked_at(motion: Motion, point: str, drawing: Drawing) -> list[float]:
+    """The angles (deg) whose arcs stand at a point."""
+    place = place_of(motion, point, drawing)
+    arcs = [line for line in drawing.lines if isinstance(line, Arc) and line.layer is Layer.MARK]
+    return [math.degrees(abs(arc.sweep)) for arc in arcs if abs(arc.centre - place) < 1e-6]
+
+
+@pytest.mark.parametrize("seed", ["3", "4", "5"])
+def test_an_angle_at_a_point_that_is_not_drawn_stands_where_its_lines_meet(seed: str) -> None:
+    """Not at the centre of the slot, past which nothing leads in the direction of the crank."""
+    motion, _, figures = solved("arc_yoke", "", seed)
+    crank = complex(motion.z["A"][0] - motion.z["O"][0])
+    guide = complex(motion.z["D"][0] - motion.z["B"][0])
+    acute = math.degrees(abs(cmath.phase((crank / guide) ** 2))) / 2
+    drawing = figures["velocity_equation:1"].drawing
+    if "φ" in {to_plain(label.formula) for label in drawing.labels}:
+        assert any(abs(angle - acute) < 0.02 for angle in marked_at(motion, "A", drawing))
+    assert not any(abs(angle - acute) < 0.02 for angle in marked_at(motion, "D", drawing))
+
+
+def test_the_angles_of_the_equations_are_marked_without_the_velocity_centre() -> None:
+    """Four-bar linkage: those of the coupler with the links at its ends; not the given one, of which they are made."""
+    motion, _, figures = solved("four_bar", "crank", "1")
+    drawing = next(figure.drawing for view, figure in figures.items() if view.startswith("acceleration_equation"))
+    z = {point: complex(motion.z[point][0]) for point in "OABC"}
+    inner = math.degrees(abs(cmath.phase((z["C"] - z["B"]) / (z["A"] - z["B"]))))
+    assert any(abs(angle - (180 - inner)) < 0.02 for angle in marked_at(motion, "B", drawing))
+    assert "φ" not in {to_plain(label.formula) for label in drawing.labels}
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_the_given_angle_of_a_cam_is_marked_from_its_radius(seed: str) -> None:
+    """The disc is drawn without the line OC, of which the angle is one with the line OD."""
+    motion, _, figures = solved("cam_disc", "flat", seed)
+    drawing = figures["velocities"].drawing
+    z = {point: complex(motion.z[point][0]) for point in "OCD"}
+    angle = math.degrees(abs(cmath.phase((z["C"] - z["O"]) / (z["D"] - z["O"]))))
+    assert any(abs(arc - angle) < 0.02 for arc in marked_at(motion, "O", drawing))
+    ends = {place_of(motion, "O", drawing), place_of(motion, "C", drawing)}
+    lines = [line.points for line in drawing.lines if isinstance(line, Path) and len(line.points) == 2]
+    assert any(all(min(abs(end - point) for point in line) < 1e-6 for end in ends) for line in lines)
+
+
 def test_the_triangle_of_a_velocity_centre_is_marked() -> None:
     # Offset slider-crank: the angles of AP and AB with the path of B, by which both have one projection on it.
     drawing = solved("slider_crank", "offset", "1")[2]["velocity_centre:AB"].drawing

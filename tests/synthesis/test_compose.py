@@ -65,6 +65,8 @@ def test_data_stay_few_and_the_last_dyad_is_asked(made: Path) -> None:
         (["--groups", "RRR,,RRP"], "a kind is empty"),
         (["--groups", "RRR,RRR,WR"], "a kind is named twice"),
         (["--links", "4"], "3, 5 or 7"),
+        (["--links", "4"], "name one of WR, WP in groups"),
+        (["--groups", "RRR,WR02"], "compose --structure RRR01-WR02 takes the links"),
         (["--structure", "RRR01", "--level", "hard"], "calculations"),
         (["--groups", "PRP,RPP", "--links", "5"], "no structure is like that"),
         (["--structure", "RRR"], "code of a structure"),

@@ -22,7 +22,7 @@ from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity, motion_order
 from variantgen.resources import languages
 from variantgen.variants.variant import Variant, solve_variants
-from variantgen.wording.formula import Measured, to_plain
+from variantgen.wording.formula import Measured, Symbol, to_plain
 from variantgen.wording.language import Language, load_language
 from variantgen.wording.statement import statement
 
@@ -167,11 +167,16 @@ def _changed(variant: Variant, number: StatedNumber, by: float, size: float) -> 
 
 
 def _printed(variant: Variant, asked: Sequence[Quantity], language: Language) -> dict[str, float]:
-    """The numbers of a sheet by what stands before them, or by their order in the text."""
+    """The numbers of a sheet by what stands before them, or by their order in the text.
+
+    Letters in the text are zeros with their names: what is said in words, as that a guide passes through O, is seen to
+    be no longer true.
+    """
     said = statement(variant, asked, language)
     found = [(to_plain(e.left), e.right.number) for e in said.given if isinstance(e.right, Measured)]
     found += [("", part.number) for part in said.text if isinstance(part, Measured)]
-    return {f"{name} {i}": float(Fraction(_plain(number.text))) for i, (name, number) in enumerate(found)}
+    said_of = {f"of {to_plain(part)} {i}": 0.0 for i, part in enumerate(said.text) if isinstance(part, Symbol)}
+    return said_of | {f"{name} {i}": float(Fraction(_plain(number.text))) for i, (name, number) in enumerate(found)}
 
 
 def _plain(number: str) -> str:

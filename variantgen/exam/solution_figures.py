@@ -111,15 +111,15 @@ class SolutionFigures:
         if name == STATEMENT:
             return statement_figure(self.variant, *self._place, self.asked, self.language, grids=False)
         kind, _, which = name.partition(":")
+        marked = self._geometry.get(name, NOTHING_MARKED)
         drawn: Drawing
         if kind == CURVE:
             drawn = solved_grid(self.variant, which, self.language)
         elif which:
-            marked = self._geometry.get(name, NOTHING_MARKED)
             subject = FigureSubject(self._mechanism, self._poses, marked, self._true_scale)
             drawn = view(kind).draw(subject, self._vectors, which)
         else:
-            scaled = {} if kind.endswith("_plan") else {"true_scale": self._true_scale}
+            scaled = {} if kind.endswith("_plan") else {"true_scale": self._true_scale, "geometry": marked}
             drawn = view(kind).draw(self.variant, *self._place, self._shown, self.language, self._vectors, **scaled)
         return drawn
 

@@ -119,6 +119,17 @@ def _guides(form: Form) -> Iterator[LiteralDatum]:
                 yield LiteralDatum("guide", point, "angle", angle, points=(point,))
 
 
+def on_lines_through(form: Form) -> dict[str, list[str]]:
+    """The points that are placed on lines through other points, each with those others."""
+    found: dict[str, list[str]] = {}
+    for name, template in form.points.items():
+        found[name] = [template.fields[start] for start, _ in _GUIDES.get(_kind(template), ())]
+    for template in form.conditions:
+        if _kind(template) == "line":
+            found.setdefault(template.fields["point"], []).append(template.fields["through"])
+    return found
+
+
 def _directions(template: ComponentTemplate, form: Form) -> Iterator[LiteralDatum]:
     """Directions of given vectors: of both, or of the velocity along a line that no guide tells."""
     point, kind = str(template.fields.get("point")), _kind(template)

@@ -176,7 +176,9 @@ def _first(equations: Sequence[PointEquation], equation: PointEquation) -> int:
 def _geometry(task: Task, step: Step, number: int, angles: StepAngles) -> StepGeometry:
     """The angles and segments that the lines of a step name."""
     values = list(_named(step))
-    corners = [corner for value in values if (corner := angles.corner(value, number)) is not None]
+    shown = _shown_names(step)
+    found = [(value.name, angles.corner(value, number)) for value in values]
+    corners = [replace(corner, is_part=name not in shown) for name, corner in found if corner is not None]
     names = [value.name for value in values if value.name is not None and value.name.kind == "length"]
     segments = [(name.of, name.about) for name in names if not name.part]
     chain = next((item for item in step.items if isinstance(item, ChainGraph)), None)
@@ -184,11 +186,26 @@ def _geometry(task: Task, step: Step, number: int, angles: StepAngles) -> StepGe
 
 
 def _named(step: Step) -> Iterator[Value]:
-    """The values with names in the lines of a step, each once."""
+    """The values with names in the lines of a step and those of which they are made, each once."""
     seen: set[Name] = set()
-    values = [*items_values(step.items), *(i.value for i in step.items if isinstance(i, Derived))]
-    for value in values:
+    for value in (*items_values(step.items), *_derived(step)):
         for each in (value, *made_of(value)):
             if each.name is not None and each.name not in seen:
                 seen.add(each.name)
                 yield each
+
+
+def _shown_names(step: Step) -> set[Name | None]:
+    """The names that the lines of a step are about; of what a value is made where it has no name or is no angle.
+
+    The parts of an angle are where it is worked out, not at its vectors.
+    """
+    values, derived = items_values(step.items), _derived(step)
+    whole = [value for value in derived if value.measure != "angle"]
+    parts = [part for value in (*values, *derived) if value.name is None or value in whole for part in made_of(value)]
+    return {value.name for value in (*values, *derived, *parts)}
+
+
+def _derived(step: Step) -> list[Value]:
+    """The values that a step derives, each from others in its line."""
+    return [item.value for item in step.items if isinstance(item, Derived)]

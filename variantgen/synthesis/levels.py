@@ -32,6 +32,14 @@ def level(structure: Structure) -> str:
     return "hard" if relative or FRAME not in (dyads[1].on, dyads[1].to) else "medium"
 
 
+def _known_groups(kind: str) -> str:
+    """What may be named in the place of an unknown kind, which may be one with its links, as in codes."""
+    known = (*KINDS, *TERMINAL)
+    if kind.rstrip("0123456789") in known:
+        return "leave out the digits; compose --structure RRR01-WR02 takes the links that groups hang on"
+    return "one of " + ", ".join(known)
+
+
 def chosen_structures(groups: tuple[str, ...], links: int | None) -> list[Structure]:
     """The structures of textbooks whose dyads are of the given kinds (all where none is named).
 
@@ -39,7 +47,7 @@ def chosen_structures(groups: tuple[str, ...], links: int | None) -> list[Struct
     are named). Raises InputError for what is unknown, and where there is no such structure.
     """
     problems = [
-        Problem("unknown group", key="groups", value=kind, remedy="one of " + ", ".join((*KINDS, *TERMINAL)))
+        Problem("unknown group", key="groups", value=kind, remedy=_known_groups(kind))
         for kind in groups
         if kind not in (*KINDS, *TERMINAL)
     ]
@@ -47,7 +55,8 @@ def chosen_structures(groups: tuple[str, ...], links: int | None) -> list[Struct
     sizes = (4, 6) if single else (3, 5, 7)
     if links is not None and links not in sizes:
         said = "4 or 6 moving links, one of them the gear or rack" if single else "3, 5 or 7 moving links"
-        problems.append(Problem(f"expected {said}", key="links", value=str(links)))
+        ended = f"name one of {', '.join(SINGLE)} in groups as well for 4 or 6"
+        problems.append(Problem(f"expected {said}", key="links", value=str(links), remedy="" if single else ended))
     if problems:
         raise InputError(problems)
     most = links or (7 if len(groups) > 2 else 5)

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 
 from variantgen.families.quantities import Quantity
 from variantgen.wording.formula import letters
 from variantgen.wording.language import NATURAL, Language
+
+_NO_SYMBOLS: Mapping[str, str] = MappingProxyType({})
 
 
 def sign_notes(asked: Sequence[Quantity], language: Language) -> list[str]:
@@ -34,8 +37,8 @@ def _ends(line: str) -> dict[str, str]:
     return {"start": start, "end": "".join(rest)}
 
 
-def letter_notes(asked: Sequence[Quantity], language: Language) -> list[str]:
-    """What the letters of centres stand for in what is asked, a sentence each."""
+def letter_notes(asked: Sequence[Quantity], language: Language, symbols: Mapping[str, str] = _NO_SYMBOLS) -> list[str]:
+    """What the letters of centres stand for in what is asked, a sentence each; ``symbols`` are those of the form."""
     words = language.words("sheet")
     needed = {
         "velocity_centre": any(q.kind == "P" for q in asked),
@@ -56,14 +59,16 @@ def letter_notes(asked: Sequence[Quantity], language: Language) -> list[str]:
         **{name: any(_of_interval(q, name) for q in asked) for name in ("way", "shift", "turned", "duration")},
     }
     notes = [words[key] for key, wanted in needed.items() if wanted]
-    pairs = dict.fromkeys((q.kind, q.target, q.component) for q in asked if q.kind == "distance" or q.group == "rope")
+    pairs = dict.fromkeys(
+        (symbols.get(q.name, "rope") if q.group == "rope" else q.kind, q.target, q.component)
+        for q in asked
+        if q.kind == "distance" or q.group == "rope"
+    )
     seen = dict.fromkeys(q.pair for q in (q.of_instant or q for q in asked) if q.group == "difference")
     notes += [
         words["seen"].format(index=language.relative_to(*pair).text, point=pair[0], base=pair[1]) for pair in seen
     ]
-    return notes + [
-        words["distance" if kind == "distance" else "rope"].format(start=start, end=end) for kind, start, end in pairs
-    ]
+    return notes + [words[key].format(start=start, end=end) for key, start, end in pairs]
 
 
 def _of_interval(quantity: Quantity, *kinds: str) -> bool:
@@ -71,6 +76,6 @@ def _of_interval(quantity: Quantity, *kinds: str) -> bool:
     return quantity.is_of_interval and quantity.kind.startswith(kinds)
 
 
-def answer_notes(asked: Sequence[Quantity], language: Language) -> list[str]:
+def answer_notes(asked: Sequence[Quantity], language: Language, symbols: Mapping[str, str] = _NO_SYMBOLS) -> list[str]:
     """All that has to be said to who reads these answers: letters and conventions of sign, a sentence each."""
-    return [*sign_notes(asked, language), *letter_notes(asked, language)]
+    return [*sign_notes(asked, language), *letter_notes(asked, language, symbols)]

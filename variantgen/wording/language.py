@@ -19,7 +19,7 @@ from variantgen.algebra.decimals import rounded, rounded_to_digits
 from variantgen.families.parameters.units import Unit
 from variantgen.families.quantities import Quantity, recorded
 from variantgen.families.quantities.interval_kinds import INSTANT_OF, ZERO
-from variantgen.families.quantities.kinds import ANGLE_OF
+from variantgen.families.quantities.kinds import ANGLE_OF, ROPE
 from variantgen.resources import templates_dir
 from variantgen.tables import read_toml
 from variantgen.wording.formula import GREEK, Index, Number, Quotient, Symbol, SymbolProperty, UnitText
@@ -156,7 +156,7 @@ class Language:
                 return Symbol(component, (Index(quantity.kind), *body))
             return Symbol(component + quantity.kind, body)
         if quantity.group == "rope":
-            return Symbol("v", (Index(self.tables["index"]["rope"], True), Index(target + component)))
+            return self.of_rope(target, component, bodies)
         if quantity.group == "ratio":
             return Quotient(self.symbol(f"omega_{target}", bodies), self.symbol(f"omega_{component}", bodies))
         if quantity.kind == "distance":
@@ -169,6 +169,11 @@ class Language:
         if quantity.component in _ABOUT:
             return SymbolProperty(_ABOUT[quantity.component], self.symbol(quantity.whole_name, bodies))
         return self.symbol(quantity.name, bodies)
+
+    def of_rope(self, start: str, end: str, symbols: Mapping[str, str]) -> Symbol:
+        """The speed of a rope between two stations; of a belt, which ``symbols`` name, with the word for one."""
+        word = self.tables["index"][symbols.get(f"{ROPE}.{start}.{end}", "rope")]
+        return Symbol("v", (Index(word, True), Index(start + end)))
 
     def _of_pair(self, quantity: Quantity) -> Symbol | SymbolProperty:
         """``v_B/A``, its component ``v_B/A x``, its direction."""

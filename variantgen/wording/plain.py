@@ -47,5 +47,5 @@ def plain_problem(
         f"{key['title']}: {'; '.join(found)}.",
     ]
     if with_notes:
-        paragraphs.append(" ".join(answer_notes(read_off(variant.form, asked), language)))
+        paragraphs.append(" ".join(answer_notes(read_off(variant.form, asked), language, variant.form.symbols)))
     return "\n\n".join(textwrap.fill(paragraph, 100) for paragraph in paragraphs)

@@ -9,7 +9,7 @@ from decimal import Decimal
 
 import numpy as np
 
-from variantgen.families.literal_data import LiteralDatum, literal_data, literal_radii
+from variantgen.families.literal_data import LiteralDatum, literal_data, literal_radii, on_lines_through
 from variantgen.families.parameters.units import Unit, short_unit, unit
 from variantgen.families.quantities import Quantity, motion_order
 from variantgen.variants.printed_data import shown_points
@@ -21,6 +21,7 @@ from variantgen.wording.text import Text
 
 _DIGITS = 6  # of a number of the file, which may stand there in another unit
 _NOTHING = 1e-12  # of a coordinate: rounding
+_ON_LINE = 1e-9  # sine of an angle: less is rounding
 _PER_TIME = {"velocity": "/s", "acceleration": "/s^2"}
 
 
@@ -44,19 +45,26 @@ def scene_data(
 
 def guide_inclinations(variant: Variant, asked: Sequence[Quantity], language: Language) -> list[tuple[str, Formula]]:
     """The points of inclined guides of a scene, each with the acute angle of the guide with the horizontal."""
+    return [(point, angle) for point, angle, _ in _guides(variant, asked, language)]
+
+
+def _guides(variant: Variant, asked: Sequence[Quantity], language: Language) -> list[tuple[str, Formula, str]]:
+    """Each inclined guide of a scene: its point, the acute angle with the horizontal, a point that its line passes."""
     guides = [datum for datum in literal_data(variant.form) if datum.kind == "guide"]
     if not guides:
         return []
     case = _SceneData(variant, asked, language)
-    return [(datum.name, case.inclination(datum)) for datum in guides]
+    return [(datum.name, case.inclination(datum), case.passed(datum)) for datum in guides]
 
 
 def guide_sentences(variant: Variant, asked: Sequence[Quantity], language: Language) -> Text:
-    """A sentence for each inclined guide, with a space before it."""
+    """A sentence for each inclined guide, with a space before it; it says through which point the line passes."""
     found: list[Formula | str] = []
-    for point, angle in guide_inclinations(variant, asked, language):
-        formulas = {"point": language.symbol(point, variant.form.symbols), "angle": angle}
-        found += [" ", *with_formulas(language.words("sheet")["guide"], formulas)]
+    for point, angle, through in _guides(variant, asked, language):
+        named = {"point": point} | ({"through": through} if through else {})
+        formulas = {key: language.symbol(name, variant.form.symbols) for key, name in named.items()}
+        sentence = language.words("sheet")["guide_through" if through else "guide"]
+        found += [" ", *with_formulas(sentence, {**formulas, "angle": angle})]
     return tuple(found)
 
 
@@ -87,9 +95,22 @@ class _SceneData:
         """A direction of the scene on paper, a unit vector."""
         return complex(np.ravel(self._frame.direction(angle))[0])
 
+    def passed(self, datum: LiteralDatum) -> str:
+        """The point in the figure through which the line of a guide goes, as the point in it is placed; "" for none."""
+        way = self._way(self._angle(datum))
+        for name in on_lines_through(self.variant.form).get(datum.name, ()):
+            arm = self.at[datum.name] - self.at[name]
+            if name in self.shown and abs((arm / way).imag) < _ON_LINE * abs(arm):
+                return name
+        return ""
+
+    def _angle(self, datum: LiteralDatum) -> float:
+        """The angle (rad) of a guide in the scene."""
+        return datum.si if datum.source is None else float(datum.source.value(self._values))
+
     def inclination(self, datum: LiteralDatum) -> Formula:
         """The acute angle of a guide with the horizontal: a number, or the letter of a parameter that is one."""
-        angle = datum.si if datum.source is None else float(datum.source.value(self._values))
+        angle = self._angle(datum)
         is_letter = datum.source is not None and datum.source.text in self.variant.form.parameters
         if datum.source is not None and is_letter and self._lies_as_written and 0 < angle < math.pi / 2:
             name = self.variant.form.parameters[datum.source.text].symbol

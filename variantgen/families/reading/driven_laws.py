@@ -17,6 +17,7 @@ from variantgen.errors import InputError, Problem
 from variantgen.families.family import ComponentTemplate, Form
 from variantgen.families.parameters.draw_rules import Pose
 from variantgen.families.parameters.expressions import FamilyExpression
+from variantgen.families.parameters.parameter import Parameter
 from variantgen.mechanism.arithmetic import Complex, Real
 from variantgen.mechanism.component import field_specs
 from variantgen.mechanism.constructions.coordinates import Coordinates
@@ -78,6 +79,7 @@ def check_driven(form: Form, time: str) -> None:
     base = _with_meaning(form, _draws(form))
     rate = form.values(base).get(f"{time}_dot", 1.0)  # of a place its velocity
     values = [form.values(base | {time: base[time] + side * _STEP * rate}) for side in (0, 1, -1)]
+    instant = _instants(form.parameters[time], base[time])
     derived = {f"{law}{dots}": law for law in form.laws for dots in ("_dot", "_ddot")}
     problems = list(_stretched(form))
     for i, template in enumerate(form.drivers):
@@ -90,10 +92,10 @@ def check_driven(form: Form, time: str) -> None:
             remedy = (
                 f"{' and '.join(f'laws.{law}' for law in used)} gives the place that is driven: let both say the same"
             )
-            problems.append(_problem(key, velocity, wrong, "its place changes at", base[time], remedy))
+            problems.append(_problem(key, velocity, wrong, "its place changes at", instant, remedy))
         elif acceleration and acceleration[1].names & derived.keys() and (wrong := _by_velocity(template, values)):
             remedy = f'give the derivative of {velocity[0]} = "{velocity[1].text}"'
-            problems.append(_problem(key, acceleration, wrong, f"{velocity[0]} changes at", base[time], remedy))
+            problems.append(_problem(key, acceleration, wrong, f"{velocity[0]} changes at", instant, remedy))
     if problems:
         raise InputError(problems)
 
@@ -216,8 +218,15 @@ def _worst(right: Real, given: Real, usable: Any) -> _Wrong | None:
     return (first, float(right[first]), float(given[first])) if apart[first] else None
 
 
-def _problem(key: str, field: _Field, wrong: _Wrong, what: str, times: NDArray[np.float64], remedy: str) -> Problem:
+def _instants(parameter: Parameter, values: NDArray[np.float64]) -> list[str]:
+    """What each draw says of the instant, or of the place whose velocity is given, in the unit of the file."""
+    own = parameter.unit
+    assert own is not None, "instants and places are measured"
+    return [f"{parameter.name} = {own.from_si(float(value)):.4g} {own.name}" for value in values]
+
+
+def _problem(key: str, field: _Field, wrong: _Wrong, what: str, instants: Sequence[str], remedy: str) -> Problem:
     name, expression, unit = field
     draw, right, given = wrong
-    said = f"expected {right:.4g} {unit}, for at t = {times[draw]:.4g} s {what} this rate, but it is {given:.4g} {unit}"
+    said = f"expected {right:.4g} {unit}, for at {instants[draw]} {what} this rate, but it is {given:.4g} {unit}"
     return Problem(said, key=f"{key}.{name}", value=expression.text, remedy=remedy)

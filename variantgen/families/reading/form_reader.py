@@ -26,7 +26,7 @@ from variantgen.families.parameters.reading import check_name, read_parameter, u
 from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import is_quantity, quantity_names
 from variantgen.families.reading.driven_laws import with_accelerations
-from variantgen.families.reading.implied import with_blocks, with_stations
+from variantgen.families.reading.implied import belt_words, with_blocks, with_stations
 from variantgen.families.reading.law_reader import check_motion, read_interval, read_laws
 from variantgen.families.reading.soundness import check_constants
 from variantgen.families.templates import TemplateReader
@@ -106,7 +106,7 @@ class FormReader:
         check_marks(self.top, figure, self.parameters)
         nice = read_nice(self.top.table("nice"), self.parameters, self.expression)
         written = self.top.table("symbols")
-        symbols = {name: written.take(name, str, "") for name in written.data}
+        symbols = {name: written.take(name, str, "") for name in written.data} | belt_words(joints)
         machine = read_machine(self.top.table("machine"))
         called = self.top.table("nouns")
         nouns = {name: called.take(name, str, "") for name in called.data}

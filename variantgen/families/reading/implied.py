@@ -7,6 +7,7 @@ from itertools import pairwise
 
 from variantgen.families.family import ComponentTemplate
 from variantgen.families.parameters.expressions import FamilyExpression, number
+from variantgen.families.quantities.kinds import ROPE
 from variantgen.mechanism.component import field_specs
 from variantgen.mechanism.joints.guide import Guide
 from variantgen.mechanism.joints.pivot import Pivot
@@ -50,6 +51,13 @@ def with_stations(
         own = next((ways[point] for point in members if point in ways), None)
         ways |= {point: own for point in members if point not in ways and own is not None}
     return tuple(_completed(item, moving, ways) if item.component is Rope else item for item in joints)
+
+
+def belt_words(joints: Sequence[ComponentTemplate]) -> dict[str, str]:
+    """What stands in the symbol of the speed of a piece of a belt in place of the word for a rope, by its name."""
+    belts = [item.fields["path"] for item in joints if item.component is Rope and item.fields.get("belt")]
+    ends = [(a.fields["point"], b.fields["point"]) for path in belts for a, b in pairwise(path)]
+    return {".".join((ROPE, *piece)): "belt" for start, end in ends for piece in ((start, end), (end, start))}
 
 
 def _stations(joints: Sequence[ComponentTemplate]) -> set[str]:

@@ -20,6 +20,7 @@ from variantgen.families.reading.driven_laws import as_written
 from variantgen.families.reading.files import FAMILY, check_files
 from variantgen.families.reading.folders import Folders, family_names, file_of
 from variantgen.families.reading.form_reader import SECTIONS, FormReader
+from variantgen.families.reading.implied import belt_words
 from variantgen.families.reading.repeated import reported_once
 from variantgen.families.sketches import check_sketch
 from variantgen.letters import named, unseen
@@ -144,7 +145,7 @@ def parse_family(data: dict[str, Any], path: Path) -> Family:
 
 def _check_symbols(forms: Mapping[str, Form], problems: list[Problem]) -> None:
     """What is written otherwise must be a body or a parameter of some form (forms share the table)."""
-    known = {name for form in forms.values() for name in (*form.bodies, *form.parameters)}
+    known = {n for form in forms.values() for n in (*form.bodies, *form.parameters, *belt_words(form.joints))}
     for name in sorted({name for form in forms.values() for name in form.symbols} - known):
         remedy = nearest(name, known)
         problems.append(Problem("unknown body or parameter", key=f"symbols.{name}", value=name, remedy=remedy))

@@ -5,7 +5,9 @@ Where the law is a parameter (a place), its velocity at that place is wanted: ``
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import replace
 from typing import Any, NamedTuple, Protocol, TypeAlias
 
 from variantgen.algebra.expression import Constant, Expression, Ratio, Times, Variable
@@ -171,7 +173,8 @@ class RateReader:
                 raise InputError(
                     Problem("missing", key=inner.key(key), remedy=f"write start = {{ {example} }} with your numbers")
                 )
-            found[key] = self._own_number(inner, key, dimension, measure)
+            with _keyed(inner.key(key)):
+                found[key] = self._own_number(inner, key, dimension, measure)
         where = found[name if by_place else self._time]
         return Start(where, None if by_place else found[name], found.get(velocity))
 
@@ -234,6 +237,15 @@ class RateReader:
         )
         place, velocity = (SolvedLaw(text, Variable("?"), problem, part) for part in (0, 1))
         return None if law.is_by_place else place, velocity if law.order == 2 else None
+
+
+@contextmanager
+def _keyed(key: str) -> Iterator[None]:
+    """Put what is wrong inside under this key."""
+    try:
+        yield
+    except InputError as error:
+        raise InputError([replace(problem, key=key) for problem in error.problems]) from None
 
 
 def _over(tree: Expression, measure: Unit | None) -> Expression:

@@ -158,9 +158,15 @@ class BodyBoard:
         own = {disc.body for disc, _ in discs if disc.body in self._bodies or disc.centre == self.points[0]}
         own = set() if self._rods else own
         rims = [(at[disc.centre], scale * radius) for disc, radius in discs if disc.body in own]
-        places = (*(at[name] for name in self.points), *(scale * place for place in self._further))
+        bearings = [name for body in self._bodies for name in self._bearings_of(body)]
+        places = (*(at[name] for name in (*self.points, *bearings)), *(scale * place for place in self._further))
         others = tuple(at[name] for name in self.named if name not in self.points)
         return Surroundings(places, tuple(members), tuple(rims), others)
+
+    def _bearings_of(self, body: str) -> list[str]:
+        """The points of a body without names at which its rod slides in a bearing."""
+        figure = self.subject.form.figure
+        return [name for name in self._drawn_of(body) if name in figure.stems and name in figure.hidden]
 
     def _drawn_of(self, body: str) -> list[str]:
         """The points of a body between which it is drawn: where a single one has a name, those without too.

@@ -82,7 +82,7 @@ def _tries(bodies: BodyBoard, named: Vectors, equation: PointEquation, arrows: S
     for number, (stretch, size) in enumerate(_SIZES):
         base, longest = _base(bodies, named, equation, arrows, stretch * LONGEST, size)
         marked = MOST_ANGLES + 1
-        for most in (MOST_ANGLES, 0) if number == 0 else (0,):
+        for most in (MOST_ANGLES, 2, 0) if number == 0 else (0,):
             if most < marked:  # else there is nothing to leave out
                 board = base.copied()
                 marked = draw_geometry(board, bodies.subject, named.symbols, most)

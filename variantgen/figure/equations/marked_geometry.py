@@ -48,7 +48,11 @@ def draw_geometry(board: MotionBoard, subject: FigureSubject, symbols: Symbols, 
         own = corner.centre == body and "centre" in sketch.at
         key = "centre" if own and corner.at_centre else corner.vertex
         seen_points = {*board.shown, *(("P", "Q") if own else ())}
-        if (corner.centre and not own) or not _is_seen(corner, seen_points):
+        if corner.centre and not own:
+            # The ray to a centre that is not drawn is seen where a vector lies on its line.
+            if corner.at_centre or key not in board.shown or _drawn_lines(board, key, corner) < 2:
+                continue
+        elif not _is_seen(corner, seen_points):
             continue
         sides = _on_lines(board, key, corner) if corner.either else corner.sides
         at, sweep = sketch.at[key], cmath.phase(sides[1] / sides[0])
@@ -62,7 +66,7 @@ def draw_geometry(board: MotionBoard, subject: FigureSubject, symbols: Symbols, 
         least = 1.4 * _ARC if sweep < _NARROW else _ARC
         radius = max([least, *(other[-1] + _WIDER for other in same)])
         seen.append((at, start, sweep, radius))
-        _draw_sides(board, key, sides, radius)
+        _draw_sides(board, key, sides, radius, _beside(board, subject, corner))
         if abs(sweep - math.pi / 2) < _RIGHT:
             first, second = (_SQUARE * side / abs(side) for side in sides)
             sketch.path((at + first, at + first + second, at + second), Layer.MARK, THIN)
@@ -75,18 +79,24 @@ def draw_geometry(board: MotionBoard, subject: FigureSubject, symbols: Symbols, 
 
 
 def _is_seen(corner: Corner, points: set[str]) -> bool:
-    """Whether a figure has the vertex of an angle and a point of its sides; both where one is a velocity centre."""
+    """Whether a figure has the vertex of an angle and a point of its sides; both points of a part, or with a centre."""
     ends = points & set(corner.ends)
-    return corner.vertex in points and len(ends) >= min(len(corner.ends), 2 if corner.centre else 1)
+    return corner.vertex in points and len(ends) >= min(len(corner.ends), 2 if corner.centre or corner.is_part else 1)
 
 
 def _placed(board: MotionBoard, corner: Corner) -> Corner:
-    """An angle whose vertex is not in the figure at a point where it is seen again, one side on what is drawn."""
-    points = (name for name in corner.carried if name in board.shown and corner.vertex not in board.shown)
-    ways = (*corner.sides, *(-side for side in corner.sides))
-    seen = (name for name in points if any(board.sketch.is_taken(name, way, math.radians(2)) for way in ways))
-    place = next(seen, "")
-    return replace(corner, vertex=place, either=True) if place else corner
+    """An angle whose vertex is not in the figure at the point where more of its sides are drawn, the nearest first."""
+    if corner.vertex in board.shown or corner.is_part:
+        return corner
+    points = [name for name in corner.carried if name in board.shown]
+    drawn = {name: _drawn_lines(board, name, corner) for name in points}
+    place = max(points, key=lambda name: drawn[name], default="")
+    return replace(corner, vertex=place, either=True) if place and drawn[place] else corner
+
+
+def _drawn_lines(board: MotionBoard, key: str, corner: Corner) -> int:
+    """On how many of the lines of its sides something is drawn at a point."""
+    return sum(any(board.sketch.is_taken(key, way, math.radians(2)) for way in (side, -side)) for side in corner.sides)
 
 
 def _on_lines(board: MotionBoard, key: str, corner: Corner) -> tuple[complex, complex]:
@@ -141,8 +151,18 @@ def _name(corner: Corner, formulas: Formulas) -> Formula:
     return formulas.measured(corner.value) if name is None or name.kind == "angle" else formulas.symbol(corner.value)
 
 
-def _draw_sides(board: MotionBoard, key: str, sides: tuple[complex, complex], radius: float) -> None:
-    """Thin lines along the sides of an angle that nothing lies on as far as its arc."""
+def _beside(board: MotionBoard, subject: FigureSubject, corner: Corner) -> list[complex]:
+    """The ways (u) to points on the sides that one body has with the vertex: a disc is drawn without such lines."""
+    bodies = [members for members in subject.form.bodies.values() if corner.vertex in members]
+    at = board.sketch.at
+    own = [name for name in corner.carried if name in board.shown and any(name in members for members in bodies)]
+    return [at[name] - at[corner.vertex] for name in own]
+
+
+def _draw_sides(
+    board: MotionBoard, key: str, sides: tuple[complex, complex], radius: float, links: Sequence[complex]
+) -> None:
+    """Thin lines along the sides of an angle that nothing lies on as far as its arc; whole ``links`` on them."""
     sketch = board.sketch
     drawn = sketch.obstacles.segments()
     for side in sides:
@@ -154,7 +174,8 @@ def _draw_sides(board: MotionBoard, key: str, sides: tuple[complex, complex], ra
         else:
             seen = False
         if not seen:
-            end = sketch.at[key] + (radius + _BEYOND) * way
+            ends = [link for link in links if abs(link) > radius and abs(cmath.phase(link / side)) < _SAME]
+            end = sketch.at[key] + (max(ends, key=abs) if ends else (radius + _BEYOND) * way)
             sketch.path((sketch.at[key], end), Layer.GROUND, THIN)
 
 

@@ -12,6 +12,8 @@ from functools import partial
 
 from variantgen.families.quantities import Quantity
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing
+from variantgen.figure.equations.body_board import FigureSubject
+from variantgen.figure.equations.marked_geometry import MOST_ANGLES, draw_geometry
 from variantgen.figure.motion.acceleration_centre import draw_acceleration_centres
 from variantgen.figure.motion.contact_letters import draw_dot
 from variantgen.figure.motion.motion_board import (
@@ -26,6 +28,7 @@ from variantgen.figure.motion.vectors import Named, Vectors, vectors_of
 from variantgen.figure.symbols.rotation import draw_arcs
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.steps.point_vectors import PointVectors
+from variantgen.methods.steps.step_geometry import NOTHING_MARKED, StepGeometry
 from variantgen.variants.variant import Variant
 from variantgen.wording.language import Language
 
@@ -41,8 +44,9 @@ def draw(
     language: Language,
     vectors: Sequence[PointVectors] = (),
     true_scale: bool = False,
+    geometry: StepGeometry = NOTHING_MARKED,
 ) -> Drawing:
-    """The figure of one variant with the ``vectors`` of a solution.
+    """The figure of one variant with the ``vectors`` of a solution and the ``geometry`` of its steps.
 
     Raises InputError where accelerations are not asked or there are none.
     """
@@ -50,11 +54,11 @@ def draw(
     # A point that is asked only for its velocity is no matter of this figure.
     found = motion_data(mechanism, ORDER, [quantity for quantity in asked if quantity.order == ORDER])
     named = vectors_of(mechanism, ORDER, vectors)
-    annotate = partial(_annotate, found, named)
+    annotate = partial(_annotate, found, named, FigureSubject(mechanism, {}, geometry))
     return draw_on_mechanism(mechanism, annotate, true_scale)
 
 
-def _annotate(found: MotionData, named: Vectors, board: MotionBoard, stretch: float) -> None:
+def _annotate(found: MotionData, named: Vectors, subject: FigureSubject, board: MotionBoard, stretch: float) -> None:
     """Accelerations with their components, an asked centre, then arcs where there is room left."""
     now = found.now
     parts = components(found, named)
@@ -68,6 +72,7 @@ def _annotate(found: MotionData, named: Vectors, board: MotionBoard, stretch: fl
             weight = BOLD if symbol == whole else THIN if symbol in wholes else MEDIUM
             board.vector(point, scale * vector, symbol, weight)
     draw_acceleration_centres(board, now, named.task.asked)
+    draw_geometry(board, subject, named.symbols, MOST_ANGLES if stretch == 1.0 else 0)
     fastest = max((abs(rate) for rate in now.epsilon.values()), default=0.0)
     for body, rate in now.epsilon.items():
         if abs(rate) > _NOTHING * max(fastest, max(abs(omega) for omega in now.omega.values()) ** 2):

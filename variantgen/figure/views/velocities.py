@@ -12,6 +12,8 @@ from functools import partial
 
 from variantgen.families.quantities import Quantity
 from variantgen.figure.drawing import MEDIUM, Drawing
+from variantgen.figure.equations.body_board import FigureSubject
+from variantgen.figure.equations.marked_geometry import MOST_ANGLES, draw_geometry
 from variantgen.figure.motion.centre_rays import draw_centres
 from variantgen.figure.motion.contact_letters import contact_points, draw_contacts
 from variantgen.figure.motion.motion_board import NOTHING, MotionBoard, draw_on_mechanism, named_together, scale_of
@@ -21,6 +23,7 @@ from variantgen.figure.motion.vectors import Vectors, vectors_of
 from variantgen.figure.symbols.rotation import draw_arcs
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.steps.point_vectors import PointVectors
+from variantgen.methods.steps.step_geometry import NOTHING_MARKED, StepGeometry
 from variantgen.variants.variant import Variant
 from variantgen.wording.language import Language
 
@@ -36,19 +39,28 @@ def draw(
     language: Language,
     vectors: Sequence[PointVectors] = (),
     true_scale: bool = False,
+    geometry: StepGeometry = NOTHING_MARKED,
 ) -> Drawing:
-    """The figure of one variant with the ``vectors`` of a solution. Raises InputError where nothing moves."""
+    """The figure of one variant with the ``vectors`` of a solution and the ``geometry`` of its steps.
+
+    Raises InputError where nothing moves.
+    """
     mechanism = MovingMechanism(variant, motion, index, asked, language)
     rims = contact_points(mechanism.task, mechanism.now, mechanism.shown) if motion.solved[index] else {}
     found = motion_data(mechanism, ORDER, points_move=not rims)
     named = vectors_of(mechanism, ORDER, vectors)
     ropes = rope_speeds(motion, index, asked)
-    annotate = partial(_annotate, found, named, ropes)
+    annotate = partial(_annotate, found, named, ropes, FigureSubject(mechanism, {}, geometry))
     return draw_on_mechanism(mechanism, annotate, true_scale)
 
 
 def _annotate(
-    found: MotionData, named: Vectors, ropes: Sequence[RopeSpeed], board: MotionBoard, stretch: float
+    found: MotionData,
+    named: Vectors,
+    ropes: Sequence[RopeSpeed],
+    subject: FigureSubject,
+    board: MotionBoard,
+    stretch: float,
 ) -> None:
     """Velocities, then centres, then arcs where there is room left."""
     now = found.now
@@ -69,6 +81,7 @@ def _annotate(
     draw_contacts(board, touching, scale, named.symbols)
     draw_rope_speeds(board, ropes, scale, named.symbols)
     draw_centres(board, now, points, straight)
+    draw_geometry(board, subject, named.symbols, MOST_ANGLES if stretch == 1.0 else 0)
     fastest = max((abs(rate) for rate in now.omega.values()), default=0.0)
     for body, rate in now.omega.items():
         if abs(rate) > _NOTHING * fastest:

@@ -14,6 +14,7 @@ class Corner:
     ``vertex`` is a point, ``ends`` are those on its sides, of which one must be seen. ``centre`` is the body to whose
     velocity or acceleration centre a side leads, or at whose centre the vertex is (``at_centre``). Of an angle between
     lines the vertical one is as good (``either``). At the points ``carried`` it is again, between parallel lines.
+    One that ``is_part`` of what the step shows, and not shown itself, is marked only where all its points are seen.
     """
 
     value: Value
@@ -24,6 +25,7 @@ class Corner:
     at_centre: bool = False
     either: bool = False
     carried: tuple[str, ...] = ()
+    is_part: bool = False
 
 
 @dataclass(frozen=True, slots=True)

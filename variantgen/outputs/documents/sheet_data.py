@@ -110,9 +110,9 @@ def blank_labels(language: Language) -> list[str]:
 
 def sheet_notes(sheet: Sheet, language: Language) -> list[str]:
     """The letters and conventions of sign that the answers of a sheet need."""
-    return answer_notes(
-        [quantity for item in sheet.items for quantity in read_off(item.variant.form, item.asked)], language
-    )
+    forms = [item.variant.form for item in sheet.items]
+    asked = [quantity for form, item in zip(forms, sheet.items, strict=True) for quantity in read_off(form, item.asked)]
+    return answer_notes(asked, language, {name: said for form in forms for name, said in form.symbols.items()})
 
 
 def group_text(student: Student, language: Language) -> str:
@@ -122,14 +122,15 @@ def group_text(student: Student, language: Language) -> str:
 
 def _problem(posed: PosedProblem, language: Language, figures: dict[int, Any], writing: Writing) -> dict[str, Any]:
     item, said = posed.item, posed.statement
-    shown = read_off(item.variant.form, item.asked)
+    form = item.variant.form
+    shown = read_off(form, item.asked)
     drawn = figures[id(posed.figure)] = writing.figure(posed.figure)
     return {
         "number": str(item.task.number),
         "points": points_text(item.task.points, language),
         **statement_data(said, writing),
         "signs": sign_notes(shown, language),
-        "letters": [writing.text(with_symbols(note)) for note in letter_notes(shown, language)],
+        "letters": [writing.text(with_symbols(note)) for note in letter_notes(shown, language, form.symbols)],
         "headings": [
             writing.heading(symbol, language.unit(answer.unit))
             for symbol, answer in zip(said.asked, item.answers, strict=True)

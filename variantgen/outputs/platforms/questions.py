@@ -70,5 +70,5 @@ def questions(part: Chunk) -> Iterator[Question]:
                 posed,
                 part.content.solved[number][place] if exam.solutions.wanted else None,
                 asked,
-                tuple(answer_notes(read_off(item.variant.form, item.asked), language)),
+                tuple(answer_notes(read_off(item.variant.form, item.asked), language, item.variant.form.symbols)),
             )

@@ -49,7 +49,7 @@ def write_single(
         **statement_data(said, TYPST),
         "answers-title": language.words("key")["title"] + ":",
         "answers": [TYPST.equals(equation(a, language, variant.form.symbols), a.surd) for a in answers],
-        "notes": notes_data(answer_notes(read_off(variant.form, asked), language), TYPST),
+        "notes": notes_data(answer_notes(read_off(variant.form, asked), language, variant.form.symbols), TYPST),
         "figure": TYPST.figure(statement_figure(variant, solve_variants([variant], 0), 0, asked, language)),
     }
     with typesetter() as engine:

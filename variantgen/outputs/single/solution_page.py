@@ -42,7 +42,7 @@ def write_explained(
         "remark": remark,
         "words": solution_words(language),
         "problem": problem_data(solved, language, TYPST),
-        "notes": notes_data(answer_notes(read_off(variant.form, asked), language), TYPST),
+        "notes": notes_data(answer_notes(read_off(variant.form, asked), language, variant.form.symbols), TYPST),
     }
     with typesetter() as engine:
         made = engine.compile("explained.typ", data, form)[0]

@@ -54,7 +54,7 @@ class Symbols:
                 centre = self.centre(name.of, name.body)
                 return Symbol(name.kind, (Index(centre.base), *centre.index))
             case "rope":
-                return Symbol("v", (Index(self.language.words("index")["rope"], True), Index(name.of + name.about)))
+                return self.language.of_rope(name.of, name.about, self.form.symbols)
             case "turn_between":
                 return Symbol("theta")
             case "limit":
