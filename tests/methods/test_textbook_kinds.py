@@ -15,9 +15,9 @@ from variantgen.errors import InputError
 from variantgen.families.asking import read_ask
 from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import motion_order, split_name
-from variantgen.methods import compose
+from variantgen.methods import compose, natural_answers
 from variantgen.methods.compose import solution
-from variantgen.methods.linkage.problem import Task, task_of
+from variantgen.methods.linkage.problem import task_of
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.single import one_variant, solution_document
@@ -41,10 +41,14 @@ UNREACHED = {"slider_on_rotating_by_link": {180, 270}, "stephenson_three": {180,
 UNCONFIRMED_FROM_REST = {"plate_two_directions"}
 
 
+class _NeverError(Exception):
+    """What nothing raises."""
+
+
 @pytest.fixture
 def wrong_is_wrong(monkeypatch: pytest.MonkeyPatch) -> None:
     """A natural solution that is not confirmed fails; of a scene of one's own coordinates would take its place."""
-    monkeypatch.setattr(Task, "is_own_scene", False)
+    monkeypatch.setattr(natural_answers, "VerificationError", _NeverError)
 
 
 def _answered(variant: Variant, names: list[str], methods: tuple[str, ...]) -> list[str]:
