@@ -81,7 +81,7 @@ def untold_numbers(variants: Sequence[Variant], asked: Sequence[Quantity]) -> It
     Raises InputError if a statement is missing or faulty.
     """
     family, names = variants[0].family, {quantity.name for quantity in asked}
-    if family.folder is None:
+    if family.is_scene:
         for own, dependent in undetermined(variants[0], asked):
             yield Untold(
                 own.place,
