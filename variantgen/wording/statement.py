@@ -175,7 +175,7 @@ def _filled(case: _Case, template: StatementTemplate) -> Text:
 
     context = _context(case)
     _check_own(template, context.keys())
-    for name in template.variables - context.keys():
+    for name in sorted(template.variables - context.keys()):
         context[name] = _letters_symbol(name, variant, path)
     marked = {name: mark(value) if isinstance(value, Symbol) else value for name, value in context.items()}
     text = template.fill(marked)
