@@ -2,7 +2,7 @@
 
 The widths of formulas are known before anything is laid out. A row that is longer than the line is broken between its
 formulas, and a formula that is longer before its signs; a piece that is longer is set smaller. Lengths in em of the
-text of solutions (9.5 pt); columns and the page have the widths that ``solution.typ`` gives them.
+text of solutions.
 """
 
 from __future__ import annotations
@@ -11,13 +11,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from variantgen.exam import solution_paper
+from variantgen.exam.solution_paper import EM, WIDTH
 from variantgen.outputs.typst.fragments import FULL, LetterLine, rounded
 from variantgen.outputs.typst.markup import Lettered, Piece
 from variantgen.outputs.typst.set_formulas import set_piece
 from variantgen.outputs.typst.widths import formula_width
 
-_EM = 9.5 * 25.4 / 72  # mm
-COLUMN, PAGE = 87.0 / _EM, 180.0 / _EM
+COLUMN, PAGE = solution_paper.COLUMN / EM, WIDTH / EM
 _FIRST, _NEXT = 1.4, 3.8  # indents of a formula and of its further lines
 _LEAST = 0.72  # what would become smaller in a column has the width of the page
 _BETWEEN_PIECES, _BETWEEN_FORMULAS = 0.25, 1.6

@@ -20,18 +20,19 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, cast
 
 from variantgen.errors import ToolMissingError, VariantgenError
+from variantgen.exam.solution_paper import FOR_TEMPLATES, HEIGHT
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs.typst.fragments import signs
 from variantgen.outputs.typst.markup import Lettered, alternatives
 from variantgen.outputs.typst.set_formulas import set_formulas
-from variantgen.outputs.typst.solution_pages import TEXT_HEIGHT, contents_of, is_too_high, pages_of
+from variantgen.outputs.typst.solution_pages import contents_of, is_too_high, pages_of
 from variantgen.resources import templates_dir
 
 if TYPE_CHECKING:
     import typst
 
 # Templates for solutions, with the height of a page (mm): that of a single problem is as long as it needs to be.
-_ROOMS = {"solutions.typ": TEXT_HEIGHT, "explained.typ": 5000.0}
+_ROOMS = {"solutions.typ": HEIGHT, "explained.typ": 5000.0}
 _EPOCH = datetime.datetime(2000, 1, 1, tzinfo=datetime.UTC)
 
 
@@ -168,5 +169,6 @@ def typesetter() -> Iterator[Typesetter]:
     with tempfile.TemporaryDirectory(prefix="variantgen-") as folder:
         for path in sorted((templates_dir() / "typst").glob("*.typ")):
             shutil.copyfile(path, Path(folder) / path.name)
-        (Path(folder) / "signs.json").write_text(_json(signs()), "utf-8")
+        for name, data in (("signs", signs()), ("measures", FOR_TEMPLATES)):
+            (Path(folder) / f"{name}.json").write_text(_json(data), "utf-8")
         yield Typesetter(Path(folder))
