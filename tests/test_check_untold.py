@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.scene_files import scene_file
 from variantgen.check.family import check_family
 from variantgen.check.untold import untold_numbers
 from variantgen.errors import InputError
@@ -120,8 +121,7 @@ rotation = { body = "OA", omega = 3 }
 
 @pytest.mark.parametrize("distance", ["60", '"2*OA"', '"OA + 37*cm"'])
 def test_a_scene_tells_its_own_numbers(distance: str, tmp_path: Path) -> None:
-    path = tmp_path / "scene.toml"
-    path.write_text(_SCENE.replace("DISTANCE", distance), "utf-8")
+    path = scene_file(tmp_path, _SCENE.replace("DISTANCE", distance))
     assert not _found(path)
 
 
@@ -184,8 +184,7 @@ def test_a_number_that_the_sheet_of_a_scene_leaves_open_is_found(
     scene: str, hidden: str, numbers: set[str], tmp_path: Path
 ) -> None:
     text = Path(__file__).parent.joinpath(f"{scene}.toml").read_text("utf-8")
-    path = tmp_path / "scene.toml"
-    path.write_text(f'{text}\n[figure]\nhidden = ["{hidden}"]\n', "utf-8")
+    path = scene_file(tmp_path, f'{text}\n[figure]\nhidden = ["{hidden}"]\n')
     variant = one_variant(str(path))
     found = {found.places: found for found in untold_numbers([variant], asked_quantities(variant))}
     assert numbers <= found.keys()
