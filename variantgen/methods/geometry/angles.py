@@ -13,7 +13,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from variantgen.algebra.expression import Constant, Expression, Pi, Ratio, Value
+from variantgen.algebra.expression import Constant, Expression, Pi, Ratio, Value, Variable
 from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import simplified
 from variantgen.families.parameters.expressions import FamilyExpression
@@ -89,6 +89,8 @@ class Angles:
         """An angle of the scene; what is no sum of angles is a number of degrees, read off the figure."""
         if expression is None:
             return AngleForm()
+        if isinstance(expression.tree, Variable) and self._is_angle(expression.tree.name):
+            return AngleForm(((expression.tree.name, 1.0),))
         value = math.degrees(self._task.read(expression))
         signs = {name: sign for name in sorted(expression.names) if (sign := self._sign(name))}
         if not signs or (expression.names - signs.keys()) & self._task.form.derived.keys():
@@ -123,13 +125,17 @@ class Angles:
         if parameter is None or parameter.unit is None:
             law = angle_law(self._task, name)
             return law[0] if law else 0
-        return int(parameter.unit.measures == "angle")
+        return int(self._is_angle(name))
 
-    @property
-    def silent(self) -> frozenset[str]:
-        """Angles that the statement does not print: the drawing shows them, and nothing depends on them."""
-        parameters = self._task.form.parameters
-        return frozenset(name for name, p in parameters.items() if p.silent)
+    def _is_angle(self, name: str) -> bool:
+        """Whether a quantity is an angle among the data, printed or only drawn."""
+        parameter = self._task.form.parameters.get(name)
+        return parameter is not None and parameter.unit is not None and parameter.unit.measures == "angle"
+
+    def is_silent(self, name: str) -> bool:
+        """Whether the statement does not print an angle: the drawing shows it, and nothing depends on it."""
+        parameter = self._task.form.parameters.get(name)
+        return parameter is not None and parameter.silent
 
     def value(self, name: str) -> Value:
         """A given angle, or the one that a law of time gives at the instant of the problem."""

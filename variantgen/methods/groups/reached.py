@@ -6,6 +6,7 @@ from functools import cached_property
 
 from variantgen.mechanism.joints.rolling import Rolling
 from variantgen.mechanism.joints.rolling_on_circle import RollingOnCircle
+from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.rows import ScalarRow
 from variantgen.methods.groups.carriers import is_within_reach
 from variantgen.methods.groups.contact import NoSlipContact
@@ -24,6 +25,7 @@ class KnownMotion:
         self.task = book.task
         self.scene = book.task.scene
         self.at_last = False  # whether points are known too that a neighbour of a neighbour leads to
+        self.open_bodies = self._open_bodies()
 
     @cached_property
     def contacts(self) -> dict[int, NoSlipContact]:
@@ -56,8 +58,7 @@ class KnownMotion:
         written = [p for p in members if p in self.task.fixed] + [p for p in members if p in self.book.velocity]
         return next(iter(written), None) or next((p for p in members if self.is_known(p)), None)
 
-    @property
-    def open_bodies(self) -> list[str]:
+    def _open_bodies(self) -> list[str]:
         """Needed bodies whose rate is not known."""
         needed, turning, still = self.task.needed.bodies, self.book.omega, self.task.translating
         return [body for body in self.scene.bodies if body in needed and body not in turning and body not in still]
@@ -96,4 +97,4 @@ class KnownMotion:
 
     @cached_property
     def _guides(self) -> dict[str, complex]:
-        return self.task.linkage.guides(self.task.at)
+        return Linkage(self.scene).guides(self.task.at)

@@ -6,7 +6,7 @@ import math
 from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cached_property
+from functools import cache, cached_property
 from itertools import combinations
 from types import MappingProxyType
 from typing import Any
@@ -80,10 +80,10 @@ class Task:
         """Positions in printed units, with the frame."""
         return Placement(self.now.z, self.scene.frame)
 
-    @cached_property
+    @property
     def linkage(self) -> Linkage:
-        """The mechanism as a reader of the figure sees it."""
-        return Linkage(self.scene)
+        """The mechanism as a reader of the figure sees it, which for all variants of a form is the same."""
+        return self.form.linkage
 
     @property
     def in_metres(self) -> Placement:
@@ -108,21 +108,13 @@ class Task:
     @cached_property
     def translating(self) -> frozenset[str]:
         """Bodies that do not turn: a joint keeps them from it, or they are led by two equal parallel cranks."""
-        cranked = {body for body in self.scene.bodies if self._is_on_parallel_cranks(body)}
-        return self.linkage.translating | cranked
+        linkage = self.linkage
+        return linkage.translating | {body for body, ends in linkage.cranks.items() if self._are_parallel(ends)}
 
-    def _is_on_parallel_cranks(self, body: str) -> bool:
-        """Whether two points of a body are led round fixed points by cranks that are equal as vectors."""
-        z, bodies = self.now.z, self.scene.bodies
-        cranks = [
-            z[point] - z[pivot]
-            for point in bodies[body]
-            for other, members in bodies.items()
-            if other != body and point in members and point not in self.fixed
-            for pivot in members
-            if pivot in self.fixed
-        ]
-        return any(abs(first - second) < CLOSE * self.size for first, second in combinations(cranks, 2))
+    def _are_parallel(self, cranks: Sequence[tuple[str, str]]) -> bool:
+        """Whether two of some cranks, by their ends, are equal as vectors."""
+        ways = [self.now.z[point] - self.now.z[pivot] for point, pivot in cranks]
+        return any(abs(first - second) < CLOSE * self.size for first, second in combinations(ways, 2))
 
     @cached_property
     def size(self) -> float:
@@ -211,10 +203,7 @@ class Task:
 
     def unit_of(self, measure: str) -> str:
         """The name of the unit in which a measure is printed in this solution."""
-        length = self.variant.family.length_unit
-        units = {"length": length, "velocity": f"{length}/s", "acceleration": f"{length}/s^2", "angle": "deg"}
-        units |= {"angular velocity": "rad/s", "angular acceleration": "rad/s^2", "time": "s", "number": "1"}
-        return units[measure]
+        return _units(self.variant.family.length_unit)[measure]
 
     def read(self, expression: FamilyExpression) -> float:
         """The value of an expression of the family in SI."""
@@ -264,6 +253,13 @@ class Task:
             derived = self.form.derived.get(name)
             return self._solved(derived) if isinstance(derived, SolvedLaw) else None
         return Constant(float(self.variant.printed[name])) if parameter.unit is None else self.given[name]
+
+
+@cache
+def _units(length: str) -> dict[str, str]:
+    """The units of all measures by that of lengths."""
+    units = {"length": length, "velocity": f"{length}/s", "acceleration": f"{length}/s^2", "angle": "deg"}
+    return units | {"angular velocity": "rad/s", "angular acceleration": "rad/s^2", "time": "s", "number": "1"}
 
 
 def discs_of(form: Form, body: str | None, centre: str) -> list[DiscMark]:
