@@ -65,6 +65,13 @@ class KnownMotion:
 
     def point_path(self, point: str, but: str = "") -> PointPath | None:
         """The fixed path of a point by a guide, a fixed circle or another body than ``but``."""
+        key, known = ("path", point, but), self.task.remembered
+        if key not in known:
+            known[key] = self._found_path(point, but)
+        found: PointPath | None = known[key]
+        return found
+
+    def _found_path(self, point: str, but: str) -> PointPath | None:
         for joint in self.scene.joints:
             for number, shape in enumerate(joint.shapes()):
                 if shape.points != (point,) or shape.bodies or shape.given_point is not None:
@@ -95,6 +102,11 @@ class KnownMotion:
         """The direction of the straight guide of a point, or 0."""
         return self._guides.get(point, 0j)
 
-    @cached_property
+    @property
     def _guides(self) -> dict[str, complex]:
-        return Linkage(self.scene).guides(self.task.at)
+        """Directions of straight guides; the task remembers them."""
+        known = self.task.remembered
+        if "guides" not in known:
+            known["guides"] = Linkage(self.scene).guides(self.task.at)
+        found: dict[str, complex] = known["guides"]
+        return found

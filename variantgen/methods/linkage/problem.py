@@ -218,9 +218,10 @@ class Task:
         """
         if not known:
             key = ("expressed", expression, degrees)
-            if key not in self.remembered:
-                self.remembered[key] = self._translator.translate(expression, degrees)
-            found: Expression | None = self.remembered[key]
+            remembered = self.remembered if expression.names else self.form.remembered  # a number is that of the form
+            if key not in remembered:
+                remembered[key] = self._translator.translate(expression, degrees)
+            found: Expression | None = remembered[key]
             return found
         return replace(self._translator, named=lambda name: known.get(name) or self._named(name)).translate(expression)
 
