@@ -69,6 +69,11 @@ class Linkage:
         bodies = self.scene.bodies.items()
         return {body: point for body, points in bodies for point in reversed(points) if point in self.resting}
 
+    @cached_property
+    def driven(self) -> tuple[tuple[str | None, str | None], ...]:
+        """By driver the body whose rotation it gives, and the point whose motion it gives; None for any other."""
+        return tuple((driven_body(driver), driven_point(driver)) for driver in self.scene.drivers)
+
     @property
     def slides(self) -> Iterator[Sliding]:
         """The paths of points that slide on moving bodies."""

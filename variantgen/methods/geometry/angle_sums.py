@@ -57,13 +57,16 @@ def _sum(item: Expression) -> AngleForm | None:
         case Constant(value):
             return AngleForm((), float(value))
         case Total(terms):
-            found = AngleForm()
+            found: AngleForm | None = None
             for sign, term in terms:
+                if isinstance(term, Constant) and found is not None:
+                    found = found.turned(sign * term.value)
+                    continue
                 part = _sum(term)
                 if part is None:
                     return None
-                found = found.plus(part, sign)
-            return found
+                found = (part if sign > 0 else part.times(-1.0)) if found is None else found.plus(part, sign)
+            return found or AngleForm()
         case Ratio(above, Constant(count)):
             return None if (part := _sum(above)) is None else part.times(1.0 / count)
         case Times((Constant(count), factor)):
