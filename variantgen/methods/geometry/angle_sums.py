@@ -126,7 +126,8 @@ def acute(first: Value, second: Value, size: float) -> tuple[str, Value]:
     the simpler one.
     """
     form = _matched(angle_sum(first).minus(angle_sum(second)), size, 180.0)
-    for sign in (-1.0, 1.0) if form.parts else ():
+    is_square = form.parts and abs(abs(form.constant) - 90.0) < _SAME  # else there is nothing to turn
+    for sign in (-1.0, 1.0) if is_square else ():
         if not tidy(sign * form.constant + 90.0) and any(sign * count > 0 for _, count in form.parts):
             return "sin", valued(None, form.times(sign).turned(90.0))
     return "cos", valued(None, form)

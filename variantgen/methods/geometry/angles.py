@@ -91,6 +91,8 @@ class Angles:
             return AngleForm()
         if isinstance(expression.tree, Variable) and self._is_angle(expression.tree.name):
             return AngleForm(((expression.tree.name, 1.0),))
+        if not expression.names:
+            return self._of_number(expression)
         value = math.degrees(self._task.read(expression))
         signs = {name: sign for name in sorted(expression.names) if (sign := self._sign(name))}
         if not signs or (expression.names - signs.keys()) & self._task.form.derived.keys():
@@ -100,6 +102,14 @@ class Angles:
         if abs(total - value) > _SAME:
             return AngleForm((), tidy(value))
         return form_of(((name, slopes[name] * sign) for name, sign in signs.items()), tidy(math.degrees(base)))
+
+    def _of_number(self, expression: FamilyExpression) -> AngleForm:
+        """An angle that depends on no datum; the form remembers it."""
+        known, key = self._task.form.remembered, ("angle", expression)
+        if key not in known:
+            known[key] = AngleForm((), tidy(math.degrees(self._task.read(expression))))
+        found: AngleForm = known[key]
+        return found
 
     def _linear(self, expression: FamilyExpression, angles: tuple[str, ...]) -> tuple[float, dict[str, float]]:
         """An expression at angles of zero, and by how much it grows with each of these angles.
@@ -198,7 +208,8 @@ def normal_angle(angle: float) -> float:
     """An angle in (-180, 180]; without the rounding of radians."""
     if not -179.0 < angle <= 180.0:
         angle -= 360.0 * math.ceil((angle - 180.0) / 360.0 - 1e-12)
-    angle = tidy(angle)
+    if angle * 64.0 % 1.0:  # the others are as they should be
+        angle = tidy(angle)
     return 180.0 if angle == -180.0 else angle + 0.0
 
 

@@ -45,12 +45,12 @@ class Task:
     asked: tuple[Quantity, ...]
     now: Instant
 
-    @property
+    @cached_property
     def form(self) -> Form:
         """The form of the variant's family."""
         return self.variant.form
 
-    @property
+    @cached_property
     def scene(self) -> Scene:
         """The scene of the variant (numbers in SI)."""
         return self.now.scene
@@ -80,7 +80,7 @@ class Task:
         """Positions in printed units, with the frame."""
         return Placement(self.now.z, self.scene.frame)
 
-    @property
+    @cached_property
     def linkage(self) -> Linkage:
         """The mechanism as a reader of the figure sees it, which for all variants of a form is the same."""
         return self.form.linkage
@@ -90,7 +90,7 @@ class Task:
         """Positions in SI, as the numbers of the scene are."""
         return Placement({point: z * self.length_unit for point, z in self.now.z.items()}, self.scene.frame)
 
-    @property
+    @cached_property
     def fixed(self) -> frozenset[str]:
         """Points at rest."""
         return self.linkage.resting
@@ -197,9 +197,16 @@ class Task:
     @property
     def stated_radii(self) -> dict[str, list[float]]:
         """The radii of each body that its file states as numbers; of a scene also those of its wheels, as its sheet."""
-        places = self.in_metres.z if self.is_own_scene else {}
-        stated = literal_radii(self.form, places).items()
-        return {body: [radius / self.length_unit for radius in radii] for body, radii in stated}
+        if self.is_own_scene:
+            return self._in_printed_unit(literal_radii(self.form, self.in_metres.z))
+        known = self.form.remembered
+        if "stated radii" not in known:
+            known["stated radii"] = self._in_printed_unit(literal_radii(self.form))
+        found: dict[str, list[float]] = known["stated radii"]
+        return found
+
+    def _in_printed_unit(self, radii: Mapping[str, Sequence[float]]) -> dict[str, list[float]]:
+        return {body: [radius / self.length_unit for radius in own] for body, own in radii.items()}
 
     def unit_of(self, measure: str) -> str:
         """The name of the unit in which a measure is printed in this solution."""
