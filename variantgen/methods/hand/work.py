@@ -13,6 +13,7 @@ from variantgen.algebra.expression import Applied, Constant, Raised, Ratio, Squa
 from variantgen.algebra.linear import LinearSolution
 from variantgen.algebra.values import in_order
 
+_BARE = Value, Constant  # parts of an expression in which nothing is calculated
 _RIGHT_ANGLE = 90.0 + 1e-9  # degrees; what is larger by rounding only is not obtuse
 
 
@@ -72,7 +73,7 @@ def work_of(answers: Iterable[Value]) -> Work:
                 functions += 1
             case LinearSolution(_, right):
                 sizes[tuple(map(id, right))] = len(right)
-        waiting += [operand for operand in part.operands() if not isinstance(operand, Value | Constant)]
+        waiting += [operand for operand in part.operands() if not isinstance(operand, _BARE)]
     return Work(
         lines=len(own),
         operations=operations + sum(map(_elimination, sizes.values())),
