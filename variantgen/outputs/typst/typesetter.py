@@ -41,10 +41,11 @@ class TypesettingError(VariantgenError):
 
 @dataclass(frozen=True)
 class Typesetter:
-    """A folder with the templates, alone for the engine, and what has been measured with them."""
+    """A folder with the templates, alone for the engine, what has been measured with them, and what is in its files."""
 
     root: Path
     measured: dict[str, dict[str, float]] = field(default_factory=dict, compare=False, repr=False)
+    written: dict[str, str] = field(default_factory=dict, compare=False, repr=False)
 
     def compile(
         self,
@@ -88,10 +89,11 @@ class Typesetter:
     def _with_pages(self, inputs: dict[str, str], room: float) -> dict[str, str]:
         """The inputs with the pages of a solution, for which the engine measures what stands on them.
 
-        The names of the inputs are the same while it measures: what they lead to is then remembered.
+        The names of the inputs are the same while it measures, when there are no pages yet: what they lead to is then
+        remembered.
         """
         for parted in ("no", "yes"):
-            inputs = {**inputs, "pages": self._written("pages", "{}"), "parted": parted}
+            inputs = {**inputs, "pages": _file("pages"), "parted": parted}
             head, problems = contents_of(self._asked("solution_heights.typ", inputs))
             if not is_too_high(problems):
                 break
@@ -119,13 +121,20 @@ class Typesetter:
 
     def _written(self, name: str, text: str) -> str:
         """The name of the file of this process that has some text now."""
-        file = f"{name}-{os.getpid()}.json"
-        (self.root / file).write_text(text, "utf-8")
+        file = _file(name)
+        if self.written.get(file) != text:  # most inputs are those of the document before
+            (self.root / file).write_text(text, "utf-8")
+            self.written[file] = text
         return file
 
     def _told(self, inputs: Mapping[str, str]) -> dict[str, str]:
         """All inputs in one file: the engine takes several for others than before, as their order changes."""
         return {"inputs": self._written("inputs", _json(inputs))}
+
+
+def _file(name: str) -> str:
+    """The file of this process with what is called so."""
+    return f"{name}-{os.getpid()}.json"
 
 
 @lru_cache(maxsize=1)
