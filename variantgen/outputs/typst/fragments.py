@@ -8,11 +8,11 @@ are, the less the engine has to do: letters of one style are one fragment, also 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any, cast
 
-from variantgen.figure.glyphs import STRETCHED, glyph, glyph_names, kerning
-from variantgen.figure.letter_run import SCALE, PlacedGlyph
+from variantgen.figure.glyphs import STRETCHED, glyph, glyph_names
+from variantgen.figure.letter_run import SCALE, Letters, PlacedLetters, follows
 from variantgen.figure.lettering import Lettering
 
 _DIGITS = 4
@@ -28,10 +28,10 @@ FULL = (0.0, 1.0, 0)  # letters of full size on the line
 
 # How far up (em), size, the level that letters are cut for.
 Style = tuple[float, float, int]
-Letters = tuple[float, float, int, str]
+Text = tuple[float, float, int, str]
 # How far up, name of a sign or width of a bar.
 Mark = tuple[float, str | float]
-Fragment = str | float | Letters | Mark | tuple[str]
+Fragment = str | float | Text | Mark | tuple[str]
 
 
 class LetterLine:
@@ -100,7 +100,7 @@ def _between(gap: float, style: Style) -> str | None:
 
 
 def _text(fragment: Fragment) -> str:
-    return fragment if isinstance(fragment, str) else cast(Letters, fragment)[3]
+    return fragment if isinstance(fragment, str) else cast(Text, fragment)[3]
 
 
 def _style(fragment: Fragment) -> Style | None:
@@ -110,27 +110,23 @@ def _style(fragment: Fragment) -> Style | None:
 
 
 def fragments_of(lettering: Lettering) -> tuple[tuple[Fragment, ...], float]:
-    """The glyphs and bars of a formula, and where the last of them ends.
+    """The letters and bars of a formula, and where the last of them ends.
 
     Letters after each other are one fragment, which the engine spaces itself.
     """
-    words: list[list[PlacedGlyph]] = []
-    for placed in lettering.glyphs:
-        if words and _follows(words[-1][-1], placed):
-            words[-1].append(placed)
-        else:
-            words.append([placed])
     line = LetterLine()
     end = 0.0
-    for word in words:
-        first, last = word[0], word[-1]
-        line.space(first.at.real - end)
-        end = first.at.real
-        if first.glyph.name[1] == STRETCHED:
-            line.put((rounded(first.at.imag), first.glyph.name))
+    for word in _words(lettering.letters):
+        (first, start), (last, at) = word[0], word[-1]
+        line.space(start.real - end)
+        if first.glyphs[0].name[1] == STRETCHED:
+            line.put((rounded(start.imag), first.glyphs[0].name))
+            end = start.real
         else:
-            line.letters(*_letters(word))
-            end = last.at.real + last.glyph.advance
+            size, level, text = _written(first)
+            text += "".join([_written(more)[2] for more, _ in word[1:]])
+            line.letters((rounded(start.imag), size, level), text)
+            end = at.real + last.end
     for bar in lettering.bars:
         line.space(bar.at.real - end)
         line.put((rounded(bar.at.imag), rounded(bar.width)))
@@ -138,23 +134,31 @@ def fragments_of(lettering: Lettering) -> tuple[tuple[Fragment, ...], float]:
     return line.found(), end
 
 
-def _follows(before: PlacedGlyph, after: PlacedGlyph) -> bool:
-    one, other = before.glyph, after.glyph
-    if one.scale != other.scale or one.name[:2] != other.name[:2] or one.name[1] == STRETCHED:
-        return False
-    gap = one.advance
-    if one.name[1] == "u":
-        gap += one.scale * kerning(one.name[2:], other.name[2:])
-    return abs(before.at + gap - after.at) < 1e-9
+def _words(row: Sequence[PlacedLetters]) -> list[list[PlacedLetters]]:
+    """Letters that follow each other, together."""
+    found: list[list[PlacedLetters]] = []
+    for placed in row:
+        if found and _goes_on(found[-1][-1], placed):
+            found[-1].append(placed)
+        else:
+            found.append([placed])
+    return found
 
 
-def _letters(word: Sequence[PlacedGlyph]) -> tuple[Style, str]:
-    glyph, at = word[0]
-    level, upright = int(glyph.name[0]), glyph.name[1] == "u"
-    letters = "".join([placed.glyph.name[2:] for placed in word])
-    if upright:
-        return (rounded(at.imag), glyph.scale, 0), letters
-    return (rounded(at.imag), SCALE[level], level), italic(letters)
+def _goes_on(before: PlacedLetters, after: PlacedLetters) -> bool:
+    (one, here), (other, there) = before, after
+    return follows(one.glyphs[-1], other.glyphs[0], there - here - one.places[-1])
+
+
+@lru_cache(maxsize=10_000)
+def _written(letters: Letters) -> tuple[float, int, str]:
+    """Their size, the level that they are cut for, and the letters as the font has them."""
+    first = letters.glyphs[0]
+    text = "".join([glyph.name[2:] for glyph in letters.glyphs])
+    if first.name[1] == "u":
+        return first.scale, 0, text
+    level = int(first.name[0])
+    return SCALE[level], level, italic(text)
 
 
 def rounded(length: float) -> float:

@@ -11,7 +11,7 @@ from functools import lru_cache
 from typing import Any, NamedTuple
 
 from variantgen.figure.letter_run import UNKNOWN
-from variantgen.figure.lettering import typeset
+from variantgen.figure.lettering import lettering
 from variantgen.outputs.typst.fragments import Fragment, fragments_of, rounded
 from variantgen.outputs.typst.markup import Piece, TypstMarkup, marked
 from variantgen.wording.formula import (
@@ -87,10 +87,10 @@ def _set(formulas: tuple[Formula, ...], longer: bool = False) -> SetFormula | No
 
 def _typeset(formulas: tuple[Formula, ...], display: bool = False) -> SetFormula | None:
     try:
-        found = typeset(*formulas, display=display)
+        found = lettering(formulas, display)
     except (KeyError, TypeError):  # what the table has no letters for
         return None
-    if UNKNOWN in [placed.glyph.name for placed in found.glyphs]:
+    if any(glyph.name == UNKNOWN for letters, _ in found.letters for glyph in letters.glyphs):
         return None
     fragments, end = fragments_of(found)
     width, rest = rounded(found.width), rounded(found.width - end)
