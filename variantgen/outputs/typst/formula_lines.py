@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from variantgen.outputs.typst.fragments import FULL, LetterLine, rounded
+from variantgen.outputs.typst.fragments import FULL, FragmentTable, LetterLine, rounded
 from variantgen.outputs.typst.markup import Lettered, Piece
 from variantgen.outputs.typst.set_formulas import set_piece
 from variantgen.outputs.typst.widths import formula_width
@@ -62,7 +62,7 @@ class Line:
         self.items.append((0.0, mark, None))
         self.end += _STOP
 
-    def data(self, letters: bool) -> list[Any]:
+    def data(self, letters: bool, table: FragmentTable | None = None) -> list[Any]:
         """Indent, scale, lowest and highest ink of what is taller than a line of text, fragments."""
         found = LetterLine()
         for gap, sign, piece in self.items:
@@ -76,7 +76,9 @@ class Line:
                 found.space(made.rest)
             elif piece:
                 found.put((piece,))
-        return [self.indent, round(self.scale, 3), self.bottom, self.top, found.found()]
+        fragments = found.found()
+        told = fragments if table is None else table.numbers(fragments)
+        return [self.indent, round(self.scale, 3), self.bottom, self.top, told]
 
 
 @dataclass(frozen=True)
@@ -86,13 +88,13 @@ class Row(Lettered):
     wide: bool
     lines: Sequence[Line]
 
-    def data(self, letters: bool) -> dict[str, Any]:
+    def data(self, letters: bool, table: FragmentTable | None = None) -> dict[str, Any]:
         """Its lines and its height (em), which is negative if the engine has to measure it."""
         known = letters and all(line.known for line in self.lines)
         return {
             "wide": self.wide,
             "high": rounded(self.high) if known else -1,
-            "lines": [line.data(letters) for line in self.lines],
+            "lines": [line.data(letters, table) for line in self.lines],
         }
 
     @property

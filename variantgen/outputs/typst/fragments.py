@@ -2,12 +2,13 @@
 
 A fragment is a string (letters of full size on the line), a number (a space, em), letters that are raised or smaller,
 a sign that grows or a bar, which take no room, or the markup of a formula that is left to the engine. The fewer there
-are, the less the engine has to do: letters of one style are one fragment, also across spaces that the font has.
+are, the less the engine has to do: letters of one style are one fragment, also across spaces that the font has. Two
+thirds of those of a document come again in it: each is made once, and told by its number.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import cache, lru_cache
 from typing import Any, cast
 
@@ -90,6 +91,22 @@ class LetterLine:
     def _take_gap(self) -> float:
         gap, self._gap = self._gap, 0.0
         return rounded(gap) if gap else gap
+
+
+class FragmentTable:
+    """The fragments of a document, each of which the engine makes once: lines have their numbers."""
+
+    def __init__(self) -> None:
+        self._numbers: dict[Fragment, int] = {}
+
+    def numbers(self, line: Iterable[Fragment]) -> list[int]:
+        """The numbers of the fragments of a line."""
+        known = self._numbers
+        return [known.setdefault(fragment, len(known)) for fragment in line]
+
+    def lines(self) -> list[tuple[Fragment]]:
+        """The fragments in the order of their numbers, each as a line of its own."""
+        return [(fragment,) for fragment in self._numbers]
 
 
 def _between(gap: float, style: Style) -> str | None:

@@ -7,12 +7,13 @@ letters at the same places. Documents with tags have equations, which are read o
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from typing import Any, NamedTuple
 
 from variantgen.figure.letter_run import UNKNOWN
 from variantgen.figure.lettering import lettering
-from variantgen.outputs.typst.fragments import Fragment, fragments_of, rounded
+from variantgen.outputs.typst.fragments import Fragment, FragmentTable, fragments_of, rounded
 from variantgen.outputs.typst.markup import Piece, TypstMarkup, marked
 from variantgen.wording.formula import (
     Equation,
@@ -56,6 +57,14 @@ def set_formulas(data: Any, longer: bool = False) -> dict[str, SetFormula]:
         str(found): made
         for found in marked(data)
         if type(found) is TypstMarkup and (made := _set(found.formulas, longer))
+    }
+
+
+def told(formulas: Mapping[str, SetFormula], table: FragmentTable) -> dict[str, Sequence[Any]]:
+    """The same for templates, with the numbers of fragments."""
+    return {
+        name: (width, lowest, highest, table.numbers(fragments), rest)
+        for name, (width, lowest, highest, fragments, rest) in formulas.items()
     }
 
 

@@ -21,9 +21,9 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 
 from variantgen.errors import ToolMissingError, VariantgenError
 from variantgen.figure.drawing import Drawing
-from variantgen.outputs.typst.fragments import signs
+from variantgen.outputs.typst.fragments import FragmentTable, signs
 from variantgen.outputs.typst.markup import Lettered, alternatives
-from variantgen.outputs.typst.set_formulas import set_formulas
+from variantgen.outputs.typst.set_formulas import set_formulas, told
 from variantgen.outputs.typst.solution_pages import TEXT_HEIGHT, contents_of, is_too_high, pages_of
 from variantgen.resources import templates_dir
 
@@ -62,11 +62,14 @@ class Typesetter:
         those of PDF that it conforms to. Raises TypesettingError where the engine refuses the template.
         """
         known: dict[str, Any] = {}
-        if form == "pdf" and tagged:
-            known = {"alternatives": alternatives(data)}
+        table = FragmentTable() if form == "pdf" and not tagged else None
+        text = _json(data, table, spoken=form == "pdf" and tagged)
+        if table:
+            known["set-formulas"] = told(set_formulas(data, longer=template in _ROOMS), table)
+            known["fragments"] = table.lines()
         elif form == "pdf":
-            known = {"set-formulas": set_formulas(data, longer=template in _ROOMS)}
-        inputs = self._inputs(form, _json(data, form == "pdf", tagged), known)
+            known["alternatives"] = alternatives(data)
+        inputs = self._inputs(form, text, known)
         try:
             if template in _ROOMS:
                 inputs = self._with_pages(inputs, _ROOMS[template])
@@ -154,13 +157,16 @@ def _asking(root: Path, template: str, names: str) -> typst.Compiler:
     return typst.Compiler(root / template, root=root, font_paths=[], ignore_system_fonts=True, sys_inputs=inputs)
 
 
-def _json(data: Any, pdf: bool = True, tagged: bool = False) -> str:
-    """The data as text. Drawings stand for their words, which only documents with tags hold."""
+def _json(data: Any, table: FragmentTable | None = None, spoken: bool = False) -> str:
+    """The data as text: with letters by the ``table`` of the document's fragments, if it has one, else with equations.
+
+    Drawings stand for their words, which only documents that are read out, with tags, hold.
+    """
 
     def shown(item: Drawing | Lettered) -> Any:
         if isinstance(item, Lettered):
-            return item.data(letters=pdf and not tagged)
-        return item.alt if pdf and tagged else ""
+            return item.data(letters=table is not None, table=table)
+        return item.alt if spoken else ""
 
     return json.dumps(data, ensure_ascii=False, separators=(",", ":"), default=shown)
 
