@@ -21,7 +21,7 @@ class Linkage:
 
     scene: Scene
 
-    @property
+    @cached_property
     def hinged(self) -> frozenset[str]:
         """Fixed hinges: points that a joint holds in place by itself."""
         return frozenset(fixed_points(self.scene))
@@ -31,7 +31,7 @@ class Linkage:
         """Points at rest: fixed hinges, and what joints say to rest besides, as centres of fixed circles."""
         return self.hinged | {name for joint in self.scene.joints for name in joint.resting()}
 
-    @property
+    @cached_property
     def translating(self) -> frozenset[str]:
         """Bodies that a single joint keeps from turning, and sleeves on one of them that do not swivel."""
         shapes = [shape for joint in self.scene.joints for shape in joint.shapes() if not shape.points]
