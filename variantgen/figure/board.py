@@ -22,8 +22,8 @@ from variantgen.wording.language import Language
 class Board:
     """The drawing board of one figure.
 
-    ``linkage`` is the scene with the numbers of one variant (scalars), ``shown`` are its named points, ``given`` the parameters that are
-    marked, ``discs`` the radii (u) of the circles drawn of each body, ``poses`` the directions (rad) in which the
+    ``linkage`` has the numbers of one variant (scalars), ``shown`` are its named points, ``given`` the parameters that
+    are marked, ``discs`` the radii (u) of the circles drawn of each body, ``poses`` the directions (rad) in which the
     supports of fixed points stand, ``grounds`` the ends of the ground lines of guides by their points.
     """
 

@@ -205,7 +205,7 @@ class Sketch:
 
     def finish(self, named: Mapping[str, complex]) -> Drawing:
         """Place the labels, cut the paper to size and put everything in order."""
-        labels, leaders = place_labels(self.requests, self.obstacles.segments(), list(named.values()))
+        labels, leaders, doubtful = place_labels(self.requests, self.obstacles.segments(), list(named.values()))
         corners = [*self._outline(), *(point for leader in leaders for point in leader.points)]
         for label in labels:
             half = complex(*label.size) / 2
@@ -223,6 +223,7 @@ class Sketch:
             origin=-low,
             beyond=tuple(self.beyond),
             lengthened=self.lengthened,
+            doubtful=doubtful,
             rotations=tuple([turn._replace(arc=_moved_arc(turn.arc, -low)) for turn in self.rotations]),
         )
 

@@ -9,14 +9,14 @@ off and gets a thin leader.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import islice
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from variantgen.figure.drawing import THIN, Label, Layer, Path
-from variantgen.figure.ink import Segments, boxes_crossed, crosses
+from variantgen.figure.ink import Segments, Sides, boxes_crossed, crosses
 from variantgen.figure.placement.label_requests import Costs, LabelRequest, Places, far_from
 from variantgen.figure.placement.misleading_places import MISREAD, MisleadingPlaces
 from variantgen.figure.placement.occupancy import Occupancy
@@ -38,113 +38,135 @@ _ON_LEADER = np.linspace(0.0, 1.0, 24)  # places along a leader that are looked 
 
 @dataclass
 class _Choice:
-    """The candidates of one label with what they cost apart from other labels; which need a leader, and to where."""
+    """The candidates of one label with what they cost apart from other labels, and the one that is taken.
+
+    The last ones need a leader: to the ``ends``, shape (L,).
+    """
 
     request: LabelRequest
     places: Places
     costs: Costs
-    led: NDArray[np.bool_]
-    ends: Places
-    taken: int = -1
+    taken: int
+    place: complex
+    ends: Places = field(default_factory=lambda: np.zeros(0, dtype=complex))
+
+    def take(self, number: int) -> None:
+        """Choose a candidate."""
+        self.taken, self.place = number, complex(self.places[number])
 
     @property
-    def place(self) -> complex:
-        """The chosen centre."""
-        return complex(self.places[self.taken])
+    def near(self) -> int:
+        """The number of candidates that need no leader."""
+        return len(self.places) - len(self.ends)
 
     @property
     def leader(self) -> Path | None:
         """The leader of the chosen place, where it needs one."""
-        return _leader(self.request, self.place, complex(self.ends[self.taken])) if self.led[self.taken] else None
+        number = self.taken - self.near
+        return _leader(self.request, self.place, complex(self.ends[number])) if number >= 0 else None
+
+    @property
+    def on_ink(self) -> bool:
+        """Whether the chosen place is on a line, or as bad as that."""
+        return bool(self.costs[self.taken] >= _INK)
 
 
-def place_labels(
-    requests: Sequence[LabelRequest], segments: Segments, strangers: Sequence[complex]
-) -> tuple[list[Label], list[Path]]:
-    """Labels where they cost least, and the leaders of those that are far from what they name.
+class Placed(NamedTuple):
+    """Labels, the leaders of those that are far from what they name, and whether one of them may be hard to read."""
+
+    labels: list[Label]
+    leaders: list[Path]
+    doubtful: bool
+
+
+def place_labels(requests: Sequence[LabelRequest], segments: Segments, strangers: Sequence[complex]) -> Placed:
+    """Labels where they cost least.
 
     ``segments`` (shape (S, 2)) are lines to keep clear of, ``strangers`` further named points.
     """
     if not requests:
-        return [], []
+        return Placed([], [], False)
     occupancy = Occupancy(segments)
     misleading = MisleadingPlaces(requests, strangers, occupancy)
     choices = _near_choices(requests, occupancy, misleading)
-    for choice in choices:
-        choice.taken = int(choice.costs.argmin())
     first = _conflicting(choices)
-    _resolve_overlaps(choices, first)
+    conflicts, misread = set[int](), False
     if first:
-        _add_misread(choices, misleading)
+        conflicts = _resolve_overlaps(choices, first)
+        misread = _add_misread(choices, misleading)
     worst = {i for i, c in enumerate(choices) if c.costs[c.taken] >= (_FAR if c.request.vector else _INK)}
-    crowded = sorted(worst | set(_conflicting(choices) if first else ()))
-    if crowded:
+    if crowded := sorted(worst | conflicts):
         _add_leaders(choices, crowded, occupancy)
-        _resolve_overlaps(choices, crowded)
+        conflicts = _resolve_overlaps(choices, crowded)
+        misread = bool(_misread(choices, misleading))
     labels = [
         Label(c.request.formula, c.place, (2 * c.request.box[0], 2 * c.request.box[1]), arrow=c.request.arrow)
         for c in choices
     ]
-    return labels, [leader for c in choices if (leader := c.leader)]
+    doubtful = bool(conflicts) or misread or any(choice.on_ink for choice in choices)
+    return Placed(labels, [leader for c in choices if (leader := c.leader)], doubtful)
 
 
 def _near_choices(
     requests: Sequence[LabelRequest], occupancy: Occupancy, misleading: MisleadingPlaces
 ) -> list[_Choice]:
-    """The candidates of all labels with their costs, computed at once."""
+    """The candidates of all labels with their costs, computed at once; of each the best one is taken."""
     count = [len(r.places) for r in requests]
-    places = np.concatenate([r.places for r in requests])
-    owner = np.repeat(np.arange(len(requests)), count)
-    boxes = np.array([r.box for r in requests])[owner]
-    costs = np.concatenate([r.costs for r in requests])
-    costs += _ink_costs(occupancy, places, boxes)
-    _add_misleading(misleading, places, owner, costs)
-    ends = np.cumsum(count).tolist()
+    # A row for each label; what is not filled costs more than anything.
+    places, costs = np.zeros((len(count), max(count)), dtype=complex), np.full((len(count), max(count)), np.inf)
+    for row, (request, size) in enumerate(zip(requests, count, strict=True)):
+        places[row, :size], costs[row, :size] = request.places, request.costs
+    boxes = np.array([r.box for r in requests])
+    costs += _ink_costs(occupancy, places, boxes[:, :1], boxes[:, 1:])
+    _add_misleading(misleading, places, costs)
+    best = costs.argmin(axis=1).tolist()
     return [
-        _Choice(
-            request,
-            places[end - size : end],
-            costs[end - size : end],
-            np.zeros(size, dtype=bool),
-            np.full(size, request.anchor),
-        )
-        for request, size, end in zip(requests, count, ends, strict=True)
+        _Choice(request, own[:size], cost[:size], taken, complex(own[taken]))
+        for request, own, cost, size, taken in zip(requests, places, costs, count, best, strict=True)
     ]
 
 
-def _add_misleading(misleading: MisleadingPlaces, places: Places, owner: NDArray[np.intp], costs: Costs) -> None:
-    """Add what a candidate could be mistaken for, but only to those that may win.
+def _add_misleading(misleading: MisleadingPlaces, places: Places, costs: Costs) -> None:
+    """Add what a candidate could be mistaken for, but only to those that may win; shape (labels, candidates).
 
     The best few of each label are asked first; where one of them stays better than all others, nothing else matters.
     """
-    # Owners ascend, and no candidate costs as much as one owner counts here: in this order too they ascend.
-    order = np.argsort(owner * 1e6 + costs, kind="stable")
-    rank = np.empty(len(order), dtype=np.intp)
-    rank[order] = np.arange(len(order)) - np.searchsorted(owner, owner)
-    first = np.flatnonzero((rank < _FIRST) & (costs < _INK))
-    costs[first] += misleading.costs(places[first], owner[first])
-    asked = np.zeros(len(costs), dtype=bool)
-    asked[first] = True
-    best = np.full(owner[-1] + 1, np.inf)
-    np.minimum.at(best, owner[first], costs[first])
-    rest = np.flatnonzero(~asked & (costs < np.minimum(best[owner], _INK)))
-    if rest.size:
-        costs[rest] += misleading.costs(places[rest], owner[rest])
+    best = costs.argsort(axis=1, kind="stable")[:, :_FIRST]
+    label = np.arange(len(costs))[:, None]
+    low = costs[label, best] < _INK
+    first = low.nonzero()[0], best[low]
+    costs[first] += misleading.costs(places[first], first[0])
+    least = np.minimum.reduce(costs[label, best], axis=1, keepdims=True, where=low, initial=_INK)
+    rest = costs < least
+    rest[first] = False
+    if rest.any():
+        costs[rest] += misleading.costs(places[rest], rest.nonzero()[0])
 
 
-def _add_misread(choices: Sequence[_Choice], misleading: MisleadingPlaces) -> None:
-    """Add what a place costs that is read with another arrow, where a label has moved to one that was not asked."""
+def _misread(choices: Sequence[_Choice], misleading: MisleadingPlaces) -> list[int]:
+    """The labels that would be read with another arrow where they stand."""
     taken = np.array([choice.place for choice in choices])
-    for i in np.flatnonzero(misleading.misread(taken, np.arange(len(choices)))).tolist():
+    found: list[int] = np.flatnonzero(misleading.misread(taken, np.arange(len(choices)))).tolist()
+    return found
+
+
+def _add_misread(choices: Sequence[_Choice], misleading: MisleadingPlaces) -> bool:
+    """Add what a place costs that is read with another arrow, where a label has moved to one that was not asked.
+
+    Returns whether there is such a label.
+    """
+    found = _misread(choices, misleading)
+    for i in found:
         choice = choices[i]
         new = choice.costs < MISREAD
         choice.costs[new] += MISREAD * misleading.misread(choice.places[new], np.full(int(new.sum()), i))
+    return bool(found)
 
 
-def _ink_costs(occupancy: Occupancy, places: Places, boxes: NDArray[np.float64]) -> Costs:
-    """Cost of the lines under or close to the box about each place."""
-    both = np.concatenate((boxes + _TIGHT, boxes + GAP))
-    under, close = occupancy.taken(np.concatenate((places, places)), both[:, 0], both[:, 1]).reshape(2, -1)
+def _ink_costs(occupancy: Occupancy, places: Places, half_width: Sides, half_height: Sides) -> Costs:
+    """Cost of the lines under or close to the box about each place; the half sides have shapes like the places."""
+    wide, high = (np.array([half + _TIGHT, half + GAP]) for half in (half_width, half_height))
+    under, close = occupancy.taken(places, wide, high)
     result: Costs = (under > 0) * _INK + _INK_CELL * under + (close > 0) * _CLOSE
     return result
 
@@ -155,7 +177,7 @@ def _add_leaders(choices: list[_Choice], crowded: Sequence[int], occupancy: Occu
     far = [far_from(request) for request in requests]
     count = [len(places) for places, _, _ in far]
     places, costs, ends = (np.concatenate(parts) for parts in zip(*far, strict=True))
-    ink = _ink_costs(occupancy, places, np.array([request.box for request in requests]).repeat(count, axis=0))
+    ink = _ink_costs(occupancy, places, *np.array([request.box for request in requests]).T.repeat(count, axis=1))
     costs += _LEADER + ink
     # The leader from the edge of the symbol to the label: how many of its pieces run over ink. Where the label itself
     # would stand on a line, that is no matter.
@@ -164,37 +186,38 @@ def _add_leaders(choices: list[_Choice], crowded: Sequence[int], occupancy: Occu
     steps = places[free] - ends[free]
     start = ends[free] + clear * steps / np.abs(steps)
     samples = start[:, None] + _ON_LEADER * (places[free] - start)[:, None]
-    cut = occupancy.taken(samples.ravel(), 0.05, 0.05).reshape(samples.shape) > 0
+    cut = occupancy.taken(samples, 0.05, 0.05) > 0
     each = np.array([_CUT_BY_VECTOR if request.vector else _CUT for request in requests]).repeat(count)[free]
-    costs[free] += each * (cut[:, 0] + np.sum(cut[:, 1:] & ~cut[:, :-1], axis=1))
+    costs[free] += each * (cut[:, 0] + np.add.reduce(cut[:, 1:] & ~cut[:, :-1], axis=1))
     last = np.cumsum(count).tolist()
     for i, size, end in zip(crowded, count, last, strict=True):
         choice, own = choices[i], slice(end - size, end)
         choice.places = np.concatenate((choice.places, places[own]))
         choice.costs = np.concatenate((choice.costs, costs[own]))
-        choice.led = np.concatenate((choice.led, np.ones(size, dtype=bool)))
-        choice.ends = np.concatenate((choice.ends, ends[own]))
+        choice.ends = ends[own]
 
 
-def _resolve_overlaps(choices: list[_Choice], first: Sequence[int]) -> None:
-    """Move labels that cover each other until none does; those with the fewest good places move first."""
-    if not first:
-        return
-    order = sorted(range(len(choices)), key=lambda i: -float(choices[i].costs.min()))
-    pending = set(first)
+def _resolve_overlaps(choices: list[_Choice], first: Sequence[int]) -> set[int]:
+    """Move labels that cover each other until none does; those with the fewest good places move first.
+
+    Returns those that still do.
+    """
+    conflicts = pending = set(first)
     standing = _Standing(choices)
     for _ in range(_SWEEPS):
         before = [choice.taken for choice in choices]
-        for i in (k for k in order if k in pending):
+        for i in sorted(pending, key=lambda i: (-float(choices[i].costs.min()), i)):
             standing.take(i)
-            choices[i].taken = standing.best(choices[i])
+            choices[i].take(standing.best(choices[i]))
             standing.put(i, choices[i])
+        conflicts = set(_conflicting(choices))
         # A label that could be led to, but still lies on a line, tries again in view of what has moved.
-        stuck = {i for i, c in enumerate(choices) if c.costs[c.taken] >= _INK and c.led.any()}
-        done, pending = pending, set(_conflicting(choices)) | stuck
+        stuck = {i for i, choice in enumerate(choices) if choice.ends.size and choice.on_ink}
+        done, pending = pending, conflicts | stuck
         # Who has not moved would not do so in view of the same places.
-        if pending <= done and before == [choice.taken for choice in choices]:
-            return
+        if not pending or (pending <= done and before == [choice.taken for choice in choices]):
+            break
+    return conflicts
 
 
 def _conflicting(choices: Sequence[_Choice]) -> list[int]:
@@ -235,8 +258,8 @@ class _Standing:
         costs = self._overlaps(own)
         best = int((own.costs + costs).argmin())
         # What its own leaders would cross only matters where one is wanted.
-        if own.led[best]:
-            costs[own.led] += self._crossed_by_leaders(own)
+        if best >= own.near:
+            costs[own.near :] += self._crossed_by_leaders(own)
             best = int((own.costs + costs).argmin())
         return best
 
@@ -260,8 +283,8 @@ class _Standing:
     def _crossed_by_leaders(self, own: _Choice) -> Costs:
         """Cost of the labels that the leaders of a label would cross."""
         boxes = self._boxes + _TIGHT
-        ways = 0.5 * (own.places[own.led] - own.ends[own.led])
-        middles = own.ends[own.led] + ways - self._places[:, None]
+        ways = 0.5 * (own.places[own.near :] - own.ends)
+        middles = own.ends + ways - self._places[:, None]
         crossed: Costs = _LABEL * np.add.reduce(crosses(middles, ways, (boxes[:, :1], boxes[:, 1:])), axis=0)
         return crossed
 

@@ -57,7 +57,7 @@ class MisleadingPlaces:
         way = steps[rows, own_at]
         way *= np.maximum(0.0, 1.0 - self._clear[owner] / np.sqrt(nearest))
         between = places[:, None] + _BETWEEN * way[:, None]
-        inked = self._occupancy.taken(between.ravel(), 0.05, 0.05).reshape(between.shape)
+        inked = self._occupancy.taken(between, 0.05, 0.05)
         squares[mine] = np.inf
         result: Costs = _STRANGER * (np.minimum.reduce(squares, axis=1) < nearest)
         result += _BARRIER * (np.maximum.reduce(inked, axis=1) > 0)

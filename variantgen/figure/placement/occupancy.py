@@ -40,17 +40,17 @@ class Occupancy:
         self._last = np.array([[columns - 1], [columns - 1], [rows - 1], [rows - 1]])
 
     def taken(self, places: Places, half_width: Sides, half_height: Sides) -> Counts:
-        """Number of inked cells that the box about each place touches; half sides for all or per place, shape (P,)."""
+        """Number of inked cells that the box about each place touches; half sides of shapes that go with the places."""
         x, y = places.real - self._low.real, places.imag - self._low.imag
         bounds = np.array([x - half_width, x + half_width, y - half_height, y + half_height])
         bounds *= 1 / CELL
         # What is below zero becomes zero or less: the outermost cells are empty.
-        cells = bounds.astype(np.intp)
+        cells = bounds.reshape(4, -1).astype(np.intp)
         cells += _BEYOND
         np.minimum(np.maximum(cells, 0, out=cells), self._last, out=cells)
         left_and_right, low_and_high = cells[:2], cells[2:]
         sums = self._sums.ravel().take(low_and_high[:, None] + left_and_right * self._sums.shape[1])
-        result: Counts = sums[1, 1] - sums[0, 1] - sums[1, 0] + sums[0, 0]
+        result: Counts = (sums[1, 1] - sums[0, 1] - sums[1, 0] + sums[0, 0]).reshape(bounds.shape[1:])
         return result
 
 
