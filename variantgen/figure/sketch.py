@@ -15,7 +15,7 @@ from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Drawing, Label, Layer, 
 from variantgen.figure.ink import Sides
 from variantgen.figure.obstacles import Obstacles, Outline
 from variantgen.figure.placement.label_requests import LabelRequest
-from variantgen.figure.placement.labels import place_labels
+from variantgen.figure.placement.labels import Placed, WantedLabels, place_labels
 from variantgen.wording.formula import Symbol
 
 MARGIN = 1.5
@@ -204,7 +204,9 @@ class Sketch:
 
     def finish(self, named: Mapping[str, complex]) -> Drawing:
         """Place the labels, cut the paper to size and put everything in order."""
-        labels, leaders, doubtful = place_labels(self.requests, self.obstacles.segments(), list(named.values()))
+        wanted = WantedLabels(self.requests, self.obstacles.segments(), list(named.values()))
+        (placed,) = place_labels([wanted]) if self.requests else [Placed([], [], False)]
+        labels, leaders, doubtful = placed
         corners = [*self._outline(), *(point for leader in leaders for point in leader.points)]
         for label in labels:
             half = complex(*label.size) / 2
