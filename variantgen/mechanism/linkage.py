@@ -26,7 +26,7 @@ class Linkage:
 
     scene: Scene
 
-    @property
+    @cached_property
     def hinged(self) -> frozenset[str]:
         """Fixed hinges: points that a joint holds in place by itself."""
         return frozenset(fixed_points(self.scene))
