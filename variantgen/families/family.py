@@ -18,6 +18,7 @@ from variantgen.families.parameters.laws import Law
 from variantgen.families.parameters.parameter import Parameter
 from variantgen.families.quantities import Quantity, is_quantity, quantity_names
 from variantgen.mechanism.arithmetic import Real
+from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.scene import Scene
 from variantgen.mechanism.solving.structure import Plan, analyse
@@ -161,6 +162,11 @@ class Form:
         """The scene with the middle of every grid: for questions about names only."""
         middle = {name: float(p.si[len(p.si) // 2]) for name, p in self.parameters.items()}
         return self.scene(self.values(middle))
+
+    @cached_property
+    def linkage(self) -> Linkage:
+        """Its reading by a reader of the figure: for questions about names only."""
+        return Linkage(self.sample)
 
     @cached_property
     def plan(self) -> Plan:

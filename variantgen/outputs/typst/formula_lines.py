@@ -13,7 +13,7 @@ from typing import Any
 
 from variantgen.exam import solution_paper
 from variantgen.exam.solution_paper import EM, WIDTH
-from variantgen.outputs.typst.fragments import FULL, LetterLine, rounded
+from variantgen.outputs.typst.fragments import FULL, FragmentTable, LetterLine, rounded
 from variantgen.outputs.typst.markup import Lettered, Piece
 from variantgen.outputs.typst.set_formulas import set_piece
 from variantgen.outputs.typst.widths import formula_width
@@ -63,7 +63,7 @@ class Line:
         self.items.append((0.0, mark, None))
         self.end += _STOP
 
-    def data(self, letters: bool) -> list[Any]:
+    def data(self, letters: bool, table: FragmentTable | None = None) -> list[Any]:
         """Indent, scale, lowest and highest ink of what is taller than a line of text, fragments."""
         found = LetterLine()
         for gap, sign, piece in self.items:
@@ -77,7 +77,9 @@ class Line:
                 found.space(made.rest)
             elif piece:
                 found.put((piece,))
-        return [self.indent, round(self.scale, 3), self.bottom, self.top, found.found()]
+        fragments = found.found()
+        told = fragments if table is None else table.numbers(fragments)
+        return [self.indent, round(self.scale, 3), self.bottom, self.top, told]
 
 
 @dataclass(frozen=True)
@@ -87,13 +89,13 @@ class Row(Lettered):
     wide: bool
     lines: Sequence[Line]
 
-    def data(self, letters: bool) -> dict[str, Any]:
+    def data(self, letters: bool, table: FragmentTable | None = None) -> dict[str, Any]:
         """Its lines and its height (em), which is negative if the engine has to measure it."""
         known = letters and all(line.known for line in self.lines)
         return {
             "wide": self.wide,
             "high": rounded(self.high) if known else -1,
-            "lines": [line.data(letters) for line in self.lines],
+            "lines": [line.data(letters, table) for line in self.lines],
         }
 
     @property
