@@ -9,6 +9,9 @@ from variantgen.algebra.expression import Constant, Expression, Value
 
 def in_order(values: Iterable[Value], known: Collection[Value] = ()) -> list[Value]:
     """The values and all that they are computed from, each after those that it needs; without what is ``known``."""
+    wanted = [value for value in values if value not in known]
+    if not wanted:
+        return []
     found: dict[Value, None] = {}
 
     def visit(value: Value) -> None:
@@ -17,8 +20,8 @@ def in_order(values: Iterable[Value], known: Collection[Value] = ()) -> list[Val
                 visit(part)
         found[value] = None
 
-    for value in values:
-        if value not in found and value not in known:
+    for value in wanted:
+        if value not in found:
             visit(value)
     return list(found)
 
