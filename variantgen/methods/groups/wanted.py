@@ -66,7 +66,7 @@ def leads_on(task: Task, point: str, body: str) -> bool:
         return True
     if any(point in shape.points for joint in task.scene.joints for shape in joint.shapes()):
         return True
-    return any(q.point == point and q.kind in ("v", "a") and q.component for q in task.sought)
+    return any(q.kind in ("v", "a") and q.component and q.point == point for q in task.sought)
 
 
 def is_accelerated(task: Task, group: Group) -> bool:
