@@ -17,7 +17,6 @@ import sys
 import tempfile
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
@@ -33,12 +32,14 @@ from variantgen.exam.sheets import Sheet, solve_all
 from variantgen.families.reading.folders import family_names
 from variantgen.figure.build import draw_statement
 from variantgen.figure.draft import all_made
+from variantgen.figure.drawing import Drawing
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import task_of
 from variantgen.outputs.documents.key_data import key_by_problem, key_by_student
 from variantgen.outputs.documents.sheet_data import sheets_data
 from variantgen.outputs.documents.solution_data import problem_data, solutions_data
 from variantgen.outputs.formats import STUDENTS_PER_PART
+from variantgen.outputs.typst.markup import Lettered
 from variantgen.outputs.typst.sheet_pages import with_pages
 from variantgen.outputs.typst.typesetter import Typesetter, typesetter
 from variantgen.outputs.typst.writing import TYPST
@@ -90,7 +91,12 @@ def measure_solutions(exam: Exam, sheets: Sequence[Sheet], clock: Clock) -> None
         with clock.measuring(DATA):
             made += [problem_data(problem, language, TYPST, known) for problem in problems]
     with clock.measuring(JSON):
-        json.dumps(made, ensure_ascii=False, separators=(",", ":"), default=attrgetter("alt"))
+        json.dumps(made, ensure_ascii=False, separators=(",", ":"), default=_untagged)
+
+
+def _untagged(item: Drawing | Lettered) -> Any:
+    """What stands for drawings and letters in the data of a document on paper."""
+    return item.data(letters=True) if isinstance(item, Lettered) else ""
 
 
 def typesetting_cost(exam: Path, students: int) -> Clock:

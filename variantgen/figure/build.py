@@ -168,7 +168,7 @@ class Mechanism:
         _draw_mechanism(board, on_paper, marks)
         if most == math.inf or _excess(sketch) <= most:
             _draw_data(board, on_paper, marks)
-            if marks and self.variant.family.folder is None:
+            if marks and self.variant.family.is_scene:
                 for point, angle in guide_inclinations(self.variant, asked, self.language):
                     draw_guide_angle(board, point, angle)
             seen = [*asked, *map(split_name, form.figure.sketch)]
