@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 from copy import copy
 from dataclasses import dataclass, field
@@ -9,6 +10,7 @@ from typing import Self
 
 from variantgen.families.family import Form
 from variantgen.families.literal_data import rate_name
+from variantgen.figure.draft import Draft
 from variantgen.figure.sketch import Sketch
 from variantgen.mechanism.component import DIMENSIONS, field_specs
 from variantgen.mechanism.linkage import Linkage
@@ -123,6 +125,10 @@ class Board:
         other = copy(self)
         other.sketch, other.clear = self.sketch.copied(), dict(self.clear)
         return other
+
+    def draft(self, widest: float = math.inf) -> Draft:
+        """What is drawn, its labels not yet placed; its drawing is not to be so wide (u)."""
+        return Draft(self.sketch, {name: self.sketch.at[name] for name in self.shown}, widest)
 
     def symbol(self, name: str) -> Symbol:
         """The symbol of a point, parameter or quantity."""
