@@ -16,7 +16,8 @@ from variantgen.synthesis.draft import Draft, Wheel
 
 Bar: TypeAlias = tuple[str, str]
 _SMALLEST = 80.0  # cm: while the first links are laid out, the mechanism counts as large as this
-_APART, _CLEAR, _BASE = 0.09, 0.06, 1.5  # of hinges; of a hinge from a foreign link; more of a fixed one: sizes
+_APART, _CLEAR = 0.09, 0.06  # of hinges; of a hinge from a foreign link: sizes
+_BASE, _BOTH_FIXED = 1.5, 2.0  # as many times as much: of a fixed hinge, of two
 _FOLDED, _STRAIGHT = 18, 10  # degrees between two links at a common hinge, and from one straight line
 _GUIDE = 0.13  # of the whole: half the line of a fixed guide
 _MARKED, _STILL_MARKED = 0.25, 0.2  # of the whole, between the corners of two marked angles; on all draws
@@ -102,7 +103,8 @@ def crossed(draft: Draft, z: Mapping[str, NDArray[np.complex128]]) -> NDArray[np
 def _near(seen: _Seen) -> str:
     size = seen.size
     for one, other in combinations(seen.visible, 2):
-        need = _APART * (_BASE if one in seen.draft.pivots or other in seen.draft.pivots else 1.0)
+        pivots = (one in seen.draft.pivots) + (other in seen.draft.pivots)
+        need = _APART * (1.0, _BASE, _BOTH_FIXED)[pivots]
         if seen.draft.distance(one, other) < need * size:
             return f"{one} near {other}"
     return ""

@@ -67,10 +67,15 @@ def _position(draft: Draft, words: Mapping[str, Any]) -> str:
     """What the position is given by, and the given motion; links that lie alike stand together."""
     phrases, said = words["position"], draft.position
     upright = draft.upright
-    based = phrases["beyond" if draft.base.startswith("-") else "base"].format(base=draft.base.lstrip("-"))
-    angles = [based] if draft.base else [phrases["upright"].format()] if upright else []
-    inclined = [] if upright or draft.base else [("phi", CRANK)]
-    inclined += [(facts["angle"], facts["link"]) for key, facts in said if key == "incline"]
+    called = draft.called.get(CRANK, "link")
+    inclined = [(facts["angle"], facts["link"]) for key, facts in said if key == "incline"]
+    angles = []
+    if inclined and not upright and not draft.base:
+        inclined = [("phi", CRANK), *inclined]
+    else:
+        along = "upright" if upright else "level"
+        key = ("beyond" if draft.base.startswith("-") else "base") if draft.base else along
+        angles.append(phrases[key].format(base=draft.base.lstrip("-"), driver_here=words["here"][called].format()))
     if inclined:
         names, links = (_joined(part, words) for part in zip(*inclined, strict=True))
         angles.append(
@@ -78,7 +83,7 @@ def _position(draft: Draft, words: Mapping[str, Any]) -> str:
         )
     angles += [phrases[key].format(**facts) for key, facts in said if key == "angle"]
     angles += [phrases[key].format(**facts) for key, facts in said if key == "instant_length"]
-    clauses, middles = ([phrases[key].format(**f) for k, f in said if k == key] for key in ("square", "halfway"))
+    clauses, middles = _squares(draft, words), [phrases[key].format(**f) for key, f in said if key == "halfway"]
     for key in ("level", "upright"):
         alike = [f["link"] for k, f in said if k == key]
         if not draft.base or _tells_axes(draft):
@@ -87,7 +92,7 @@ def _position(draft: Draft, words: Mapping[str, Any]) -> str:
             form = phrases[f"{key}_{'one' if len(set(alike)) == 1 else 'many'}"]
             clauses.append(form.format(names=_joined(list(dict.fromkeys(alike)), words)))
     there = _listed([*clauses, *middles], words)  # "C is in the middle of AB and O1D is" would be read wrongly
-    driver = words["nouns"][draft.called.get(CRANK, "link")]
+    driver = words["nouns"][called]
     opening = "given" if draft.opening == "given" and not draft.relative else "in_position"  # the shorter one
     if there:
         there = f"; {there}" if opening == "given" else f"{there}; "
@@ -97,6 +102,16 @@ def _position(draft: Draft, words: Mapping[str, Any]) -> str:
         + str(motion)
         + "."
     )
+
+
+def _squares(draft: Draft, words: Mapping[str, Any]) -> list[str]:
+    """What is perpendicular to what; what is so to the same link stands together."""
+    found: dict[str, list[str]] = {}
+    for key, facts in draft.position:
+        if key == "square":
+            found.setdefault(facts["one"], []).append(facts["link"])
+    forms = {links: words["position"][f"square_{'one' if len(found[links]) == 1 else 'many'}"] for links in found}
+    return [forms[one].format(names=_joined(links, words), one=one) for one, links in found.items()]
 
 
 def _tells_axes(draft: Draft) -> bool:
