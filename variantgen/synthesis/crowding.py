@@ -101,34 +101,30 @@ def crossed(draft: Draft, z: Mapping[str, NDArray[np.complex128]]) -> NDArray[np
 
 
 def _near(seen: _Seen) -> str:
-    size = seen.size
     for one, other in combinations(seen.visible, 2):
         pivots = (one in seen.draft.pivots) + (other in seen.draft.pivots)
         need = _APART * (1.0, _BASE, _BOTH_FIXED)[pivots]
-        if seen.draft.distance(one, other) < need * size:
+        if seen.draft.distance(one, other) < need * seen.size:
             return f"{one} near {other}"
     return ""
 
 
 def _on_bars(seen: _Seen) -> str:
     """A point on a link that it neither belongs to nor slides on."""
-    slid, size, visible = seen.slid, seen.size, seen.visible
-    for bar in seen.draft.bars:
-        members = seen.members[bar]
-        for name in visible:
-            if name in members or (name, bar) in slid:
+    for bar, members in seen.members.items():
+        for name in seen.visible:
+            if name in members or (name, bar) in seen.slid:
                 continue
             need = _ARC if name == "O" else _CLEAR * (_BASE if name in seen.draft.pivots else 1.0)
-            if _off(seen.z, name, bar) < need * size:
+            if _off(seen.z, name, bar) < need * seen.size:
                 return f"{name} on {bar[0]}{bar[1]}"
     return ""
 
 
 def _on_racks(seen: _Seen) -> str:
     """A link at the end of a rack, which no point marks."""
-    size = seen.size
     for end, bar in _near_racks(seen):
-        if _off(seen.z, end, bar) < _CLEAR * size:
+        if _off(seen.z, end, bar) < _CLEAR * seen.size:
             return f"{bar[0]}{bar[1]} at the end of a rack"
     return ""
 
@@ -143,10 +139,9 @@ def _near_racks(seen: _Seen) -> Iterator[tuple[str, Bar]]:
 
 def _on_wheels(seen: _Seen) -> str:
     """A link or a point in the way of a wheel."""
-    size = seen.size
     for wheel in seen.draft.wheels:
         need = _OFF_WHEEL * wheel.radius
-        if wheel.centre != "O" and seen.draft.distance(wheel.centre, "O") < wheel.radius + _PIVOT_OFF_RIM * size:
+        if wheel.centre != "O" and seen.draft.distance(wheel.centre, "O") < wheel.radius + _PIVOT_OFF_RIM * seen.size:
             return "the driving link at the wheel"
         for bar in _off_wheel(seen, wheel):
             if _off(seen.z, wheel.centre, bar) < need:
@@ -236,13 +231,12 @@ def _with_guide(seen: _Seen, z: Mapping[str, Any], point: str, size: Any) -> Map
 
 def _marks(seen: _Seen) -> str:
     """Two marked angles at hinges that have no room for both arcs, or a link across an arc."""
-    size = seen.size
     for one, other in _corners(seen):
-        if seen.draft.distance(one, other) < _MARKED * size:
+        if seen.draft.distance(one, other) < _MARKED * seen.size:
             return f"angles at {one} and {other}"
     for mark in seen.draft.marks:
         for bar in seen.draft.bars:
-            if mark["at"] not in seen.members[bar] and _in_sector(seen, mark, bar, _ARC * size):
+            if mark["at"] not in seen.members[bar] and _in_sector(seen, mark, bar, _ARC * seen.size):
                 return f"{bar[0]}{bar[1]} across the angle at {mark['at']}"
     return ""
 

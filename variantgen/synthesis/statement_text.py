@@ -42,10 +42,10 @@ def statement_text(draft: Draft, language: str) -> str:
 def _mechanism(draft: Draft, words: Mapping[str, Any]) -> list[str]:
     """A sentence for each dyad, and one for an arm before it; two in a row that begin alike are joined."""
     found: list[str] = []
-    driver_told = False
+    driver_named = False
     for place, (key, said) in enumerate(draft.sentences):
-        facts = _as_called(said, draft, driver_told)
-        driver_told = driver_told or CRANK in said.values()
+        facts = _as_called(said, draft, driver_named)
+        driver_named = driver_named or CRANK in said.values()
         for index in ("", "_to"):
             if facts.get(f"at{index}") in words["arms"]:
                 found.append(words["arms"][facts[f"at{index}"]].format(**_forms(_place(facts, index), words)))
@@ -128,14 +128,14 @@ def _worded(draft: Draft, said: str | Sequence[str]) -> str:
     return min(said, key=len) if draft.brief else said[draft.style("words") % len(said)]
 
 
-def _as_called(facts: Facts, draft: Draft, driver_told: bool) -> Facts:
+def _as_called(facts: Facts, draft: Draft, driver_named: bool) -> Facts:
     """The facts with links called what they are: cranks and rockers; ``turning``: what a rod drives, ``driver``: OA.
 
-    ``driver_told``: it has been said that OA drives.
+    ``driver_named``: it has been said that OA drives.
     """
     bodies = {"noun": "bar", "at_noun": "at_link", "at_to_noun": "at_to_link"}
     known = draft.called
-    driver = known.get(CRANK, "link" if driver_told or draft.brief else "driver")
+    driver = known.get(CRANK, "link" if driver_named or draft.brief else "driver")
     called = {**known, CRANK: driver}
     nouns = {noun: called[facts[body]] for noun, body in bodies.items() if facts.get(body) in called}
     coupler = "coupler" if facts.get("at_point") == "A" and not draft.brief else "rod"
@@ -176,8 +176,8 @@ def _forms(facts: Facts, words: Mapping[str, Any]) -> Facts:
             if fact in facts and name.partition("_")[0] == table:
                 found[name.replace(table, fact)] = words[name].get(facts[fact], "")
     for fact in ("driver", "coupler"):
-        if told := found.get(fact):
-            found[fact.capitalize()] = told[0].upper() + told[1:]
+        if name := found.get(fact):
+            found[fact.capitalize()] = name[0].upper() + name[1:]
     return found
 
 
