@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.mechanism.arithmetic import Complex, Flags, Real
-from variantgen.mechanism.assembly import Condition
 from variantgen.mechanism.component import FieldSpec, field_specs, parts
+from variantgen.mechanism.condition import Condition
 from variantgen.mechanism.outcome import Outcome
 from variantgen.mechanism.rows import Constraint, Frame, Pair
 
