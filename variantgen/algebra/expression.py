@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 from variantgen.algebra.decimals import ANGLE, decimals_shown, rounded, usual_decimals
 from variantgen.algebra.functions import FUNCTIONS
@@ -125,7 +126,13 @@ class Value(Expression):
         return decimals_shown(self.shown, self.exact, self.measure)
 
     def __repr__(self) -> str:
-        return f"Value({self.name}, {self.exact:.6g})"
+        return f"Value({_told(self.name)}, {self.exact:.6g})"
+
+
+@lru_cache(maxsize=4096)
+def _told(name: Name | None) -> str:
+    """A name as text, by which sums are put in order."""
+    return str(name)
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,6 +22,7 @@ from variantgen.algebra.expression import (
     SquareRoot,
     Times,
     Total,
+    Value,
     total,
 )
 from variantgen.algebra.values import walk
@@ -56,6 +57,8 @@ def forward(item: Expression) -> Signed:
 
 def added(*terms: tuple[int, Maybe]) -> Maybe:
     """The sum of terms with signs: sums in it are opened, like terms put together, a positive term comes first."""
+    if len(terms) == 1 and isinstance(value := terms[0][1], Value):
+        return value if terms[0][0] > 0 else Total(((-1, value),))
     flat: dict[Expression, float] = {}
     for sign, item in terms:
         for own, term in terms_of(item, sign):

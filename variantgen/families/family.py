@@ -18,6 +18,7 @@ from variantgen.families.parameters.laws import Law
 from variantgen.families.parameters.parameter import Parameter
 from variantgen.families.quantities import Quantity, is_quantity, quantity_names
 from variantgen.mechanism.arithmetic import Real
+from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.scene import Scene
 from variantgen.mechanism.solving.structure import Plan, analyse
@@ -163,6 +164,11 @@ class Form:
         return self.scene(self.values(middle))
 
     @cached_property
+    def linkage(self) -> Linkage:
+        """Its reading by a reader of the figure: for questions about names only."""
+        return Linkage(self.sample)
+
+    @cached_property
     def plan(self) -> Plan:
         """The structure of the scene; the same for all variants."""
         return analyse(self.sample)
@@ -210,6 +216,11 @@ class Family:
 
     def __repr__(self) -> str:
         return f"<Family {self.name}: {', '.join(map(repr, self.forms.values()))}>"
+
+    @property
+    def is_scene(self) -> bool:
+        """Whether it is a mechanism of a file by itself, without a statement: the program makes its sheet."""
+        return self.folder is None
 
     @property
     def nice_forms(self) -> list[str]:

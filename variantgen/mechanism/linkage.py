@@ -10,9 +10,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
+import numpy as np
+
+from variantgen.mechanism.arithmetic import cross
 from variantgen.mechanism.joints.slot import Slot
 from variantgen.mechanism.rows import Constraint, Placement, ScalarRow, Shape, Sliding
 from variantgen.mechanism.scene import Scene, fixed_points
+
+_ASLANT = 1e-6  # sine of the angle of a rope with a guide: less is rounding
 
 
 @dataclass(frozen=True)
@@ -21,7 +26,7 @@ class Linkage:
 
     scene: Scene
 
-    @property
+    @cached_property
     def hinged(self) -> frozenset[str]:
         """Fixed hinges: points that a joint holds in place by itself."""
         return frozenset(fixed_points(self.scene))
@@ -31,7 +36,7 @@ class Linkage:
         """Points at rest: fixed hinges, and what joints say to rest besides, as centres of fixed circles."""
         return self.hinged | {name for joint in self.scene.joints for name in joint.resting()}
 
-    @property
+    @cached_property
     def translating(self) -> frozenset[str]:
         """Bodies that a single joint keeps from turning, and sleeves on one of them that do not swivel."""
         shapes = [shape for joint in self.scene.joints for shape in joint.shapes() if not shape.points]
@@ -39,13 +44,40 @@ class Linkage:
         sleeves = [(j.sleeve, j.body) for j in self.scene.joints if isinstance(j, Slot) and j.sleeve is not None]
         return frozenset(held | {sleeve for sleeve, body in sleeves if body in held})
 
+    @cached_property
+    def cranks(self) -> dict[str, list[tuple[str, str]]]:
+        """By body the points that another body leads round a point at rest, with that point: two of them or more."""
+        bodies, found = self.scene.bodies, dict[str, list[tuple[str, str]]]()
+        for body, own in bodies.items():
+            ends = [
+                (point, pivot)
+                for point in own
+                for other, members in bodies.items()
+                if other != body and point in members and point not in self.resting
+                for pivot in members
+                if pivot in self.resting
+            ]
+            if len(ends) > 1:
+                found[body] = ends
+        return found
+
     def owners(self, point: str) -> list[str]:
         """Bodies that a point belongs to, in the order of the scene."""
         return [body for body, members in self.scene.bodies.items() if point in members]
 
     def pivot(self, body: str) -> str | None:
         """The point at rest about which a body turns; None where it has none."""
-        return next((point for point in self.scene.bodies[body] if point in self.resting), None)
+        return self._pivots.get(body)
+
+    @cached_property
+    def _pivots(self) -> dict[str, str]:
+        bodies = self.scene.bodies.items()
+        return {body: point for body, points in bodies for point in reversed(points) if point in self.resting}
+
+    @cached_property
+    def driven(self) -> tuple[tuple[str | None, str | None], ...]:
+        """By driver the body whose rotation it gives, and the point whose motion it gives; None for any other."""
+        return tuple((driven_body(driver), driven_point(driver)) for driver in self.scene.drivers)
 
     @property
     def slides(self) -> Iterator[Sliding]:
@@ -69,6 +101,17 @@ class Linkage:
                     normal = complex(row.points[shape.points[0]])
                     found.setdefault(shape.points[0], -1j * normal / abs(normal))
         return found
+
+    def aslant_stations(self, at: Placement) -> list[str]:
+        """Stations at rest from which a rope runs aslant to the guide of a point: how fast depends on their place.
+
+        Where it runs along the guide, wherever its pulley stands, the figure says all.
+        """
+        strands = [strand for joint in self.scene.joints for strand in joint.strands(at)]
+        guides = self.guides(at) if strands else {}
+        led = [strand for strand in strands if strand.end in guides]
+        aslant = [s.station for s in led if np.any(np.abs(cross(s.ray, guides[s.end])) > _ASLANT)]
+        return list(dict.fromkeys(aslant))
 
 
 def driven_body(driver: Constraint) -> str | None:

@@ -59,7 +59,13 @@ def choose(task: Task, wished: Sequence[str] = ()) -> Choice:
         names = ()  # positions follow from the figure, before any method of velocities begins
     elif wished:
         _check(task, wished)
-    return Choice(replace(_style(names), strict=bool(wished)), next((name for name in names if name in WHOLE), ""))
+    return _choice(names, bool(wished))
+
+
+@lru_cache(maxsize=512)
+def _choice(names: tuple[str, ...], strict: bool) -> Choice:
+    """The choice by the names of methods in the order in which they are preferred."""
+    return Choice(replace(_style(names), strict=strict), next((name for name in names if name in WHOLE), ""))
 
 
 def natural(task: Task) -> MethodStyle:

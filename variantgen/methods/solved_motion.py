@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
@@ -201,9 +200,16 @@ class SolvedMotion:
         own = quantity.own_unit(self.task.variant.family.length_unit)
         return float(own.from_si(float(quantity.value(self._motion)[0])))
 
-    @cached_property
+    @property
     def _motion(self) -> Motion:
-        """The motion as a batch of one, in SI as the scene."""
+        """The motion as a batch of one, in SI as the scene; the task remembers it, and with it a turn of the crank."""
+        known = self.task.remembered
+        if "motion in SI" not in known:
+            known["motion in SI"] = self._in_metres()
+        found: Motion = known["motion in SI"]
+        return found
+
+    def _in_metres(self) -> Motion:
         now, metres = self.task.now, self.task.length_unit
         vectors = [{name: np.array([n * metres]) for name, n in table.items()} for table in (now.z, now.v, now.a)]
         rates = [{body: np.array([number]) for body, number in table.items()} for table in (now.omega, now.epsilon)]

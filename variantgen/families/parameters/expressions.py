@@ -62,6 +62,7 @@ _APPLIED: dict[str, Callable[..., Any]] = {
     "max": np.maximum,
     "atan2": np.arctan2,
 }
+_BARE = Variable, Constant  # in which nothing is computed
 _INCH = re.compile(r"([*/]\s*)in\b")
 _MAX_LENGTH, _MAX_POWER, _MAX_NODES = 200, 8, 600
 
@@ -97,7 +98,7 @@ class FamilyExpression:
 
     def value(self, values: Mapping[str, Real]) -> Real:
         """Evaluate with SI values (scalars or arrays); dividing by zero gives zero, a root of a negative zero."""
-        if isinstance(self.tree, Variable | Constant):
+        if isinstance(self.tree, _BARE):
             plain: Real = self._computation(values)
             return plain
         with np.errstate(all="ignore"):

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from decimal import Decimal
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
@@ -23,6 +23,7 @@ from variantgen.families.parameters.parameter import Parameter
 from variantgen.families.parameters.rate_law import RateLaw, starting_sign
 from variantgen.families.parameters.solved_law import SolvedLaw
 from variantgen.families.parameters.units import UNITS, Unit
+from variantgen.families.reading.definitions import Definitions
 from variantgen.families.reading.driven_laws import check_driven
 from variantgen.families.reading.rate_reader import Quantity, RateReader, ReadRate, is_rate_law, rates_of
 from variantgen.tables import Table
@@ -31,25 +32,6 @@ _NOTHING = 1e-9  # of the largest acceleration: a law that begins at rest with i
 _BETWEEN = 64  # values of the variable between the start of a law and the instant
 _OWN = ("time", "interval", "instant")  # keys of the table that are no laws
 _Stated = tuple[FamilyExpression, Unit | None]  # a law as it is written, and the unit beside it
-
-
-class Definitions(Protocol):
-    """What is known of a form before its laws are read, to which these are added."""
-
-    dimensions: dict[str, Dimension]
-    derived: dict[str, FamilyExpression]
-
-    def parsed(self, table: Table, name: str, value: Any) -> FamilyExpression | None:
-        """The expression of a key; None for a wrong one, which is noted."""
-        ...
-
-    def known_names(self, expression: FamilyExpression) -> None:
-        """Raise InputError for an expression with an unknown name."""
-        ...
-
-    def define(self, name: str, expression: FamilyExpression, dimension: Dimension | None = None) -> Dimension:
-        """Make a name known. Raises InputError."""
-        ...
 
 
 def read_laws(

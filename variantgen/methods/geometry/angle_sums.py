@@ -57,13 +57,16 @@ def _sum(item: Expression) -> AngleForm | None:
         case Constant(value):
             return AngleForm((), float(value))
         case Total(terms):
-            found = AngleForm()
+            found: AngleForm | None = None
             for sign, term in terms:
+                if isinstance(term, Constant) and found is not None:
+                    found = found.turned(sign * term.value)
+                    continue
                 part = _sum(term)
                 if part is None:
                     return None
-                found = found.plus(part, sign)
-            return found
+                found = (part if sign > 0 else part.times(-1.0)) if found is None else found.plus(part, sign)
+            return found or AngleForm()
         case Ratio(above, Constant(count)):
             return None if (part := _sum(above)) is None else part.times(1.0 / count)
         case Times((Constant(count), factor)):
@@ -123,7 +126,8 @@ def acute(first: Value, second: Value, size: float) -> tuple[str, Value]:
     the simpler one.
     """
     form = _matched(angle_sum(first).minus(angle_sum(second)), size, 180.0)
-    for sign in (-1.0, 1.0) if form.parts else ():
+    is_square = form.parts and abs(abs(form.constant) - 90.0) < _SAME  # else there is nothing to turn
+    for sign in (-1.0, 1.0) if is_square else ():
         if not tidy(sign * form.constant + 90.0) and any(sign * count > 0 for _, count in form.parts):
             return "sin", valued(None, form.times(sign).turned(90.0))
     return "cos", valued(None, form)

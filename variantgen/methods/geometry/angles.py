@@ -13,7 +13,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from variantgen.algebra.expression import Constant, Expression, Pi, Ratio, Value
+from variantgen.algebra.expression import Constant, Expression, Pi, Ratio, Value, Variable
 from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import simplified
 from variantgen.families.parameters.expressions import FamilyExpression
@@ -89,6 +89,10 @@ class Angles:
         """An angle of the scene; what is no sum of angles is a number of degrees, read off the figure."""
         if expression is None:
             return AngleForm()
+        if isinstance(expression.tree, Variable) and self._is_angle(expression.tree.name):
+            return AngleForm(((expression.tree.name, 1.0),))
+        if not expression.names:
+            return self._of_number(expression)
         value = math.degrees(self._task.read(expression))
         signs = {name: sign for name in sorted(expression.names) if (sign := self._sign(name))}
         if not signs or (expression.names - signs.keys()) & self._task.form.derived.keys():
@@ -98,6 +102,14 @@ class Angles:
         if abs(total - value) > _SAME:
             return AngleForm((), tidy(value))
         return form_of(((name, slopes[name] * sign) for name, sign in signs.items()), tidy(math.degrees(base)))
+
+    def _of_number(self, expression: FamilyExpression) -> AngleForm:
+        """An angle that depends on no datum; the form remembers it."""
+        known, key = self._task.form.remembered, ("angle", expression)
+        if key not in known:
+            known[key] = AngleForm((), tidy(math.degrees(self._task.read(expression))))
+        found: AngleForm = known[key]
+        return found
 
     def _linear(self, expression: FamilyExpression, angles: tuple[str, ...]) -> tuple[float, dict[str, float]]:
         """An expression at angles of zero, and by how much it grows with each of these angles.
@@ -123,13 +135,17 @@ class Angles:
         if parameter is None or parameter.unit is None:
             law = angle_law(self._task, name)
             return law[0] if law else 0
-        return int(parameter.unit.measures == "angle")
+        return int(self._is_angle(name))
 
-    @property
-    def silent(self) -> frozenset[str]:
-        """Angles that the statement does not print: the drawing shows them, and nothing depends on them."""
-        parameters = self._task.form.parameters
-        return frozenset(name for name, p in parameters.items() if p.silent)
+    def _is_angle(self, name: str) -> bool:
+        """Whether a quantity is an angle among the data, printed or only drawn."""
+        parameter = self._task.form.parameters.get(name)
+        return parameter is not None and parameter.unit is not None and parameter.unit.measures == "angle"
+
+    def is_silent(self, name: str) -> bool:
+        """Whether the statement does not print an angle: the drawing shows it, and nothing depends on it."""
+        parameter = self._task.form.parameters.get(name)
+        return parameter is not None and parameter.silent
 
     def value(self, name: str) -> Value:
         """A given angle, or the one that a law of time gives at the instant of the problem."""
@@ -192,7 +208,8 @@ def normal_angle(angle: float) -> float:
     """An angle in (-180, 180]; without the rounding of radians."""
     if not -179.0 < angle <= 180.0:
         angle -= 360.0 * math.ceil((angle - 180.0) / 360.0 - 1e-12)
-    angle = tidy(angle)
+    if angle * 64.0 % 1.0:  # the others are as they should be
+        angle = tidy(angle)
     return 180.0 if angle == -180.0 else angle + 0.0
 
 

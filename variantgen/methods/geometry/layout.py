@@ -41,6 +41,7 @@ class Layout:
         self._plain: dict[str, tuple[Leg, ...]] = {}
         self._bearings: dict[tuple[str, str], float] = {}
         self.printed = {corner: self._printed_angle(*corner) for corner in task.form.figure.found}
+        self._marks = self._marked()
 
     def read(self, places: Mapping[str, LocatedPoint]) -> None:
         """Note what the constructions, the conditions and the figure give."""
@@ -61,7 +62,7 @@ class Layout:
     def _based(self, ray: Ray) -> AngleForm:
         """The direction of a ray; the first one by an angle that only the drawing shows is the base of the others."""
         form = self.on_bases(ray.form)
-        if len(form.parts) == 1 and (name := form.parts[0][0]) in self.angles.silent and isinstance(name, str):
+        if len(form.parts) == 1 and isinstance(name := form.parts[0][0], str) and self.angles.is_silent(name):
             low, high = self.ordered(ray.start, ray.end)
             here = AngleForm((((low, high), 1.0),), 0.0 if low == ray.start else 180.0)
             self._bases[name] = here.turned(-form.constant).times(1.0 / form.parts[0][1])
@@ -84,19 +85,25 @@ class Layout:
         size = abs(normal_angle(self.bearing(at, end) - self.bearing(at, start)))
         return Value(corner_name(at, start, end), "angle", size, Constant(size, "angle"))
 
+    def _marked(self) -> list[tuple[str, str, str, Atom]]:
+        """Angles that the figure or the sheet gives: the corner, a point on each side, from the one that is known."""
+        found: list[tuple[str, str, str, Atom]] = [
+            (mark.at, mark.start, mark.end, mark.name)
+            for mark in self.task.form.figure.angles
+            if mark.name in self.task.given
+        ]
+        for (start, at, end), angle in self.printed.items():
+            found += [(at, start, end, angle), (at, end, start, angle)]
+        return found
+
     def _read_marks(self, newest: str) -> None:
         """Angles that the figure or the sheet gives between a known ray and another one, with the newest point."""
-        for mark in self.task.form.figure.angles:
-            if mark.name in self.task.given:
-                self._read_angle(newest, mark.at, mark.start, mark.end, mark.name)
-        for (start, at, end), angle in self.printed.items():
-            for known, other in ((start, end), (end, start)):
-                self._read_angle(newest, at, known, other, angle)
+        for at, start, end, angle in self._marks:
+            if newest in (at, start, end) and {at, start, end} - _AXES.keys() <= self.places.keys():
+                self._read_angle(at, start, end, angle)
 
-    def _read_angle(self, newest: str, at: str, start: str, end: str, angle: Atom) -> None:
+    def _read_angle(self, at: str, start: str, end: str, angle: Atom) -> None:
         """The direction of the second side of an angle by that of the first."""
-        if newest not in (at, start, end) or not {at, start, end} - _AXES.keys() <= self.places.keys():
-            return
         known = self._side(at, start)
         if known is None and isinstance(angle, Value) and start in self.places[at].neighbours():
             known = self.form(at, start)  # of a triangle

@@ -87,10 +87,10 @@ class ShortestPaths:
                 found.setdefault(other, []).append((name, price))
         return found
 
-    def _from(self, name: str, place: LocatedPoint) -> set[str]:
-        """Neighbours that were placed before; the origin too, once coordinates are known."""
-        others = {other for other in place.neighbours() if self.rank[other] < self.rank[name]}
-        return others | {ORIGIN} if self._geometry.has_coordinates(name) else others
+    def _from(self, name: str, place: LocatedPoint) -> list[str]:
+        """Neighbours that were placed before, the plainest first; the origin too, once coordinates are known."""
+        others = [other for other in place.neighbours() if self.rank[other] < self.rank[name]]
+        return [*others, *([ORIGIN] if ORIGIN not in others and self._geometry.has_coordinates(name) else [])]
 
     def _price(self, name: str, other: str) -> int:
         geometry = self._geometry

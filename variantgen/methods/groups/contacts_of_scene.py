@@ -34,5 +34,8 @@ def contact_of(task: Task, number: int) -> NoSlipContact | None:
 
 def contacts_of_scene(task: Task) -> dict[int, NoSlipContact]:
     """All contacts and threads of a scene, by the number of the joint."""
-    found = {number: contact_of(task, number) for number in range(len(task.scene.joints))}
-    return {number: contact for number, contact in found.items() if contact is not None}
+    if "contacts" not in task.remembered:
+        every = {number: contact_of(task, number) for number in range(len(task.scene.joints))}
+        task.remembered["contacts"] = {number: contact for number, contact in every.items() if contact is not None}
+    found: dict[int, NoSlipContact] = task.remembered["contacts"]
+    return found

@@ -6,6 +6,7 @@ from functools import cached_property
 
 from variantgen.mechanism.joints.rolling import Rolling
 from variantgen.mechanism.joints.rolling_on_circle import RollingOnCircle
+from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.rows import ScalarRow
 from variantgen.methods.groups.carriers import is_within_reach
 from variantgen.methods.groups.contact import NoSlipContact
@@ -24,6 +25,7 @@ class KnownMotion:
         self.task = book.task
         self.scene = book.task.scene
         self.at_last = False  # whether points are known too that a neighbour of a neighbour leads to
+        self.open_bodies = self._open_bodies()
 
     @cached_property
     def contacts(self) -> dict[int, NoSlipContact]:
@@ -56,14 +58,20 @@ class KnownMotion:
         written = [p for p in members if p in self.task.fixed] + [p for p in members if p in self.book.velocity]
         return next(iter(written), None) or next((p for p in members if self.is_known(p)), None)
 
-    @property
-    def open_bodies(self) -> list[str]:
+    def _open_bodies(self) -> list[str]:
         """Needed bodies whose rate is not known."""
         needed, turning, still = self.task.needed.bodies, self.book.omega, self.task.translating
         return [body for body in self.scene.bodies if body in needed and body not in turning and body not in still]
 
     def point_path(self, point: str, but: str = "") -> PointPath | None:
         """The fixed path of a point by a guide, a fixed circle or another body than ``but``."""
+        key, known = ("path", point, but), self.task.remembered
+        if key not in known:
+            known[key] = self._found_path(point, but)
+        found: PointPath | None = known[key]
+        return found
+
+    def _found_path(self, point: str, but: str) -> PointPath | None:
         for joint in self.scene.joints:
             for number, shape in enumerate(joint.shapes()):
                 if shape.points != (point,) or shape.bodies or shape.given_point is not None:
@@ -94,6 +102,11 @@ class KnownMotion:
         """The direction of the straight guide of a point, or 0."""
         return self._guides.get(point, 0j)
 
-    @cached_property
+    @property
     def _guides(self) -> dict[str, complex]:
-        return self.task.linkage.guides(self.task.at)
+        """Directions of straight guides; the task remembers them."""
+        known = self.task.remembered
+        if "guides" not in known:
+            known["guides"] = Linkage(self.scene).guides(self.task.at)
+        found: dict[str, complex] = known["guides"]
+        return found

@@ -43,6 +43,7 @@ class Route(KnownMotion):
 
     def next(self) -> Group | None:
         """The next group that adds something that is needed, or None when nothing does."""
+        self.open_bodies = self._open_bodies()
         for at_last in (False, True):
             self.at_last = at_last
             found = next((group for group in self._groups() if group not in self.taken), None)

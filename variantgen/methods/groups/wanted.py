@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from dataclasses import fields
+from functools import cache
 
 from variantgen.families.quantities import Quantity
 from variantgen.methods.groups.group import ContactGroup, Group, RollingContactPole, RollingWheel, SlidingPair
@@ -71,9 +72,14 @@ def leads_on(task: Task, point: str, body: str) -> bool:
 def is_accelerated(task: Task, group: Group) -> bool:
     """Whether the accelerations of a group lead to one that is asked: of its bodies, or of the point it gives."""
     needed = task.accelerated
-    named = [getattr(group, field.name) for field in fields(group)]
+    named = [getattr(group, name) for name in _field_names(type(group))]
     bodies = {name for item in named for name in (item if isinstance(item, tuple) else (item,))} & needed.bodies
     return bool(bodies) or bool(_given_points(group) & needed.points)
+
+
+@cache
+def _field_names(kind: type[Group]) -> tuple[str, ...]:
+    return tuple(field.name for field in fields(kind))
 
 
 def _given_points(group: Group) -> set[str]:

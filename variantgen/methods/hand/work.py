@@ -13,6 +13,7 @@ from variantgen.algebra.expression import Applied, Constant, Raised, Ratio, Squa
 from variantgen.algebra.linear import LinearSolution
 from variantgen.algebra.values import in_order
 
+_BARE = Value, Constant  # parts of an expression in which nothing is calculated
 _RIGHT_ANGLE = 90.0 + 1e-9  # degrees; what is larger by rounding only is not obtuse
 
 
@@ -57,23 +58,22 @@ def work_of(answers: Iterable[Value]) -> Work:
     sizes: dict[tuple[int, ...], int] = {}
     waiting = [value.expression for value in own if value.expression is not None]
     while waiting:
-        match part := waiting.pop():
-            case Value() | Constant():
-                continue
-            case Total(terms):
-                operations += max(len(terms) - 1, 0)
-            case Times(factors):
-                operations += len(factors) - 1
-            case Ratio() | Raised():
-                operations += 1
+        part = waiting.pop()
+        match part:
             case Applied():
                 functions += 1
                 negatives += part.number(True) < 0
+            case Times(factors):
+                operations += len(factors) - 1
+            case Total(terms):
+                operations += max(len(terms) - 1, 0)
+            case Ratio() | Raised():
+                operations += 1
             case SquareRoot():
                 functions += 1
             case LinearSolution(_, right):
                 sizes[tuple(map(id, right))] = len(right)
-        waiting += part.operands()
+        waiting += [operand for operand in part.operands() if not isinstance(operand, _BARE)]
     return Work(
         lines=len(own),
         operations=operations + sum(map(_elimination, sizes.values())),

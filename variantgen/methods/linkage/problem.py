@@ -6,7 +6,7 @@ import math
 from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cached_property
+from functools import cache, cached_property
 from itertools import combinations
 from types import MappingProxyType
 from typing import Any
@@ -45,12 +45,12 @@ class Task:
     asked: tuple[Quantity, ...]
     now: Instant
 
-    @property
+    @cached_property
     def form(self) -> Form:
         """The form of the variant's family."""
         return self.variant.form
 
-    @property
+    @cached_property
     def scene(self) -> Scene:
         """The scene of the variant (numbers in SI)."""
         return self.now.scene
@@ -82,15 +82,15 @@ class Task:
 
     @cached_property
     def linkage(self) -> Linkage:
-        """The mechanism as a reader of the figure sees it."""
-        return Linkage(self.scene)
+        """The mechanism as a reader of the figure sees it, which for all variants of a form is the same."""
+        return self.form.linkage
 
     @property
     def in_metres(self) -> Placement:
         """Positions in SI, as the numbers of the scene are."""
         return Placement({point: z * self.length_unit for point, z in self.now.z.items()}, self.scene.frame)
 
-    @property
+    @cached_property
     def fixed(self) -> frozenset[str]:
         """Points at rest."""
         return self.linkage.resting
@@ -108,21 +108,13 @@ class Task:
     @cached_property
     def translating(self) -> frozenset[str]:
         """Bodies that do not turn: a joint keeps them from it, or they are led by two equal parallel cranks."""
-        cranked = {body for body in self.scene.bodies if self._is_on_parallel_cranks(body)}
-        return self.linkage.translating | cranked
+        linkage = self.linkage
+        return linkage.translating | {body for body, ends in linkage.cranks.items() if self._are_parallel(ends)}
 
-    def _is_on_parallel_cranks(self, body: str) -> bool:
-        """Whether two points of a body are led round fixed points by cranks that are equal as vectors."""
-        z, bodies = self.now.z, self.scene.bodies
-        cranks = [
-            z[point] - z[pivot]
-            for point in bodies[body]
-            for other, members in bodies.items()
-            if other != body and point in members and point not in self.fixed
-            for pivot in members
-            if pivot in self.fixed
-        ]
-        return any(abs(first - second) < CLOSE * self.size for first, second in combinations(cranks, 2))
+    def _are_parallel(self, cranks: Sequence[tuple[str, str]]) -> bool:
+        """Whether two of some cranks, by their ends, are equal as vectors."""
+        ways = [self.now.z[point] - self.now.z[pivot] for point, pivot in cranks]
+        return any(abs(first - second) < CLOSE * self.size for first, second in combinations(ways, 2))
 
     @cached_property
     def size(self) -> float:
@@ -200,21 +192,30 @@ class Task:
     @property
     def is_own_scene(self) -> bool:
         """Whether the mechanism is that of a file by itself, whose sheet the program makes."""
-        return self.variant.family.folder is None
+        return self.variant.family.is_scene
+
+    @property
+    def writes_laws(self) -> bool:
+        """Whether the sheet writes laws of motion as equations; the statement of a family tells them in own words."""
+        return self.is_own_scene
 
     @property
     def stated_radii(self) -> dict[str, list[float]]:
         """The radii of each body that its file states as numbers; of a scene also those of its wheels, as its sheet."""
-        places = self.in_metres.z if self.is_own_scene else {}
-        stated = literal_radii(self.form, places).items()
-        return {body: [radius / self.length_unit for radius in radii] for body, radii in stated}
+        if self.is_own_scene:
+            return self._in_printed_unit(literal_radii(self.form, self.in_metres.z))
+        known = self.form.remembered
+        if "stated radii" not in known:
+            known["stated radii"] = self._in_printed_unit(literal_radii(self.form))
+        found: dict[str, list[float]] = known["stated radii"]
+        return found
+
+    def _in_printed_unit(self, radii: Mapping[str, Sequence[float]]) -> dict[str, list[float]]:
+        return {body: [radius / self.length_unit for radius in own] for body, own in radii.items()}
 
     def unit_of(self, measure: str) -> str:
         """The name of the unit in which a measure is printed in this solution."""
-        length = self.variant.family.length_unit
-        units = {"length": length, "velocity": f"{length}/s", "acceleration": f"{length}/s^2", "angle": "deg"}
-        units |= {"angular velocity": "rad/s", "angular acceleration": "rad/s^2", "time": "s", "number": "1"}
-        return units[measure]
+        return _units(self.variant.family.length_unit)[measure]
 
     def read(self, expression: FamilyExpression) -> float:
         """The value of an expression of the family in SI."""
@@ -229,9 +230,10 @@ class Task:
         """
         if not known:
             key = ("expressed", expression, degrees)
-            if key not in self.remembered:
-                self.remembered[key] = self._translator.translate(expression, degrees)
-            found: Expression | None = self.remembered[key]
+            remembered = self.remembered if expression.names else self.form.remembered  # a number is that of the form
+            if key not in remembered:
+                remembered[key] = self._translator.translate(expression, degrees)
+            found: Expression | None = remembered[key]
             return found
         return replace(self._translator, named=lambda name: known.get(name) or self._named(name)).translate(expression)
 
@@ -264,6 +266,13 @@ class Task:
             derived = self.form.derived.get(name)
             return self._solved(derived) if isinstance(derived, SolvedLaw) else None
         return Constant(float(self.variant.printed[name])) if parameter.unit is None else self.given[name]
+
+
+@cache
+def _units(length: str) -> dict[str, str]:
+    """The units of all measures by that of lengths."""
+    units = {"length": length, "velocity": f"{length}/s", "acceleration": f"{length}/s^2", "angle": "deg"}
+    return units | {"angular velocity": "rad/s", "angular acceleration": "rad/s^2", "time": "s", "number": "1"}
 
 
 def discs_of(form: Form, body: str | None, centre: str) -> list[DiscMark]:

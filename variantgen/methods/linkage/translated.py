@@ -104,9 +104,12 @@ class Translator:
 
         None where a part of it cannot be shown in a solution.
         """
-        if expression.measures:
-            printed = unit(self.unit_of(expression.measures)).from_si(float(expression.value({})))
-            return Constant(_short(printed))
+        match expression.tree:
+            case Constant(_, measure) if measure:
+                printed = unit(self.unit_of(measure)).from_si(float(expression.value({})))
+                return Constant(_short(printed))
+            case Variable(name) if isinstance(value := self.named(name), Value) and value.measure != "angle":
+                return value
         found = self._part(expression.tree)
         if found is None:
             return None

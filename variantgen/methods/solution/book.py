@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Protocol
 
@@ -137,12 +136,11 @@ class Book:
 
     # Writing.
 
-    @contextmanager
-    def step(self, key: str, *views: str, **facts: Fact) -> Iterator[Step]:
-        """A new step with its heading; what is written inside the block belongs to it."""
+    def step(self, key: str, *views: str, **facts: Fact) -> Step:
+        """A new step with its heading; what is written next belongs to it, for the reader of a method in a block."""
         made = Step(Sentence(key, facts, detail=False), views=views)
         self.steps.append(made)
-        yield made
+        return made
 
     @property
     def items(self) -> list[Item]:

@@ -81,23 +81,32 @@ def _is_of_corners(form: AngleForm) -> bool:
 def _corner(book: Book, form: AngleForm) -> Value | None:
     """A sum of angles as the angle between two segments of known direction from one point, with its line."""
     geometry, size = book.geometry, valued(None, form).exact
-    points = shown_points(book.task.variant, book.task.asked)
-    for vertex in points:
-        rays = [p for p in points if p != vertex and abs(geometry.vector(vertex, p)) > geometry.nothing]
-        bearings = {point: geometry.bearing(vertex, point) for point in rays}
-        for first, second in combinations(rays, 2):
-            turn = abs(bearings[first] - bearings[second])
-            if abs(min(turn, 360.0 - turn) - size) > _SAME:
-                continue
-            if not (geometry.has_direction(vertex, first) and geometry.has_direction(vertex, second)):
-                continue
-            name = corner_name(vertex, first, second)
-            corner = difference(name, geometry.direction(vertex, first), geometry.direction(vertex, second))
-            if _key(angle_sum(corner)) == _key(form):
-                book.items.append(Derived(corner))
-                note_sum(book, corner)
-                return corner
+    near = [ends for ends, turn in _corners(book) if abs(turn - size) <= _SAME]
+    for vertex, first, second in near:
+        if not (geometry.has_direction(vertex, first) and geometry.has_direction(vertex, second)):
+            continue
+        name = corner_name(vertex, first, second)
+        corner = difference(name, geometry.direction(vertex, first), geometry.direction(vertex, second))
+        if _key(angle_sum(corner)) == _key(form):
+            book.items.append(Derived(corner))
+            note_sum(book, corner)
+            return corner
     return None
+
+
+def _corners(book: Book) -> list[tuple[tuple[str, str, str], float]]:
+    """The angles (degrees) between the ways from each point of the figure to two others; the task remembers them."""
+    geometry, known = book.geometry, book.task.remembered
+    if "corners" not in known:
+        found = known["corners"] = []
+        points = shown_points(book.task.variant, book.task.asked)
+        for vertex in points:
+            rays = [p for p in points if p != vertex and abs(geometry.vector(vertex, p)) > geometry.nothing]
+            for (first, one), (second, other) in combinations([(p, geometry.bearing(vertex, p)) for p in rays], 2):
+                turn = abs(one - other)
+                found.append(((vertex, first, second), min(turn, 360.0 - turn)))
+    corners: list[tuple[tuple[str, str, str], float]] = known["corners"]
+    return corners
 
 
 def renamed(book: Book, share: Share) -> Share:

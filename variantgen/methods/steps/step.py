@@ -274,6 +274,12 @@ class Step:
     items: list[Item] = field(default_factory=list)
     views: tuple[str, ...] = ()
 
+    def __enter__(self) -> Step:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        pass
+
 
 @dataclass(frozen=True, slots=True)
 class Solution:

@@ -22,8 +22,8 @@ def collected(known: Sequence[tuple[int, Share]]) -> list[tuple[int, Expression]
         groups.append([(sign, share)]) if group is None else group.append((sign, share))
     found: list[tuple[int, Expression]] = []
     for group in groups:
-        factor = group[0][1].factor
-        if len(group) == 1 or factor is None:
+        factor = group[0][1].factor if len(group) > 1 else None
+        if factor is None:
             found += [_written(sign, share) for sign, share in group]
             continue
         sizes = [_derivative(sign, share.term.size) for sign, share in group if share.term.size is not None]
@@ -76,7 +76,8 @@ def projection_of(share: Share) -> Expression:
 def _written(sign: int, share: Share) -> tuple[int, Expression]:
     """A known projection as a sign and an expression, in which derivatives of coordinates have their own signs."""
     own = _derivative(sign, share.term.size) if share.term.size is not None else (sign, projection_of(share))
-    return own[0], own[1] if share.factor is None else own[1] * share.factor
+    factor = share.factor
+    return own[0], own[1] if factor is None else own[1] * factor
 
 
 def _derivative(sign: int, size: Value) -> tuple[int, Value]:

@@ -16,7 +16,6 @@ from variantgen.mechanism.drivers.extension import Extension
 from variantgen.mechanism.drivers.relative_travel import RelativeTravel
 from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.mechanism.drivers.travel import Travel
-from variantgen.mechanism.linkage import driven_body, driven_point
 from variantgen.mechanism.rows import Constraint
 from variantgen.mechanism.scene import label
 from variantgen.methods.geometry.geometry import Geometry, degrees, normal_angle
@@ -39,14 +38,15 @@ def enter_given_motion(book: Book) -> None:
 
     Raises LookupError for a driver of a kind that neither this step nor a group knows.
     """
-    points = [point for driver in book.task.scene.drivers if (point := driven_point(driver))]
+    driven, scene = book.task.linkage.driven, book.task.scene
+    points = [point for _, point in driven if point]
     one = {"point": Point(points[0])} if len(points) == 1 else {}
     with book.step(f"given.{book.measure}{'_of' if one else ''}", **one) as made:
-        for template, driver in zip(book.task.form.drivers, book.task.scene.drivers, strict=True):
-            if body := driven_body(driver):
+        for template, driver, (body, point) in zip(book.task.form.drivers, scene.drivers, driven, strict=True):
+            if body:
                 value = amount(book, template, "omega" if book.order == 1 else "epsilon", book.rate_measure)
                 book.rates[body] = Rate(value, _sign(book.exact_rate(body)))
-            elif (point := driven_point(driver)) and len(driver.shapes()) == 2:
+            elif point and len(driver.shapes()) == 2:
                 book.vectors[point] = _straight(book, template, point)
             elif point and points.count(point) > 1:
                 _enter_component(book, template, driver, point)

@@ -135,7 +135,7 @@ def _axes(terms: Sequence[Term]) -> tuple[_Axis, _Axis]:
     other = _Axis(second, beside, shares(terms, second))
     if beside is None and other.total < 0:
         second = Geometry.turned(best.angle, -90.0)
-        other = _Axis(second, None, shares(terms, second))
+        other = _Axis(second, None, tuple(replace(share, sign=-share.sign) for share in other.parts))
     return first, other
 
 

@@ -8,7 +8,6 @@ from variantgen.algebra.expression import Constant, Expression, Total, Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import hypotenuse
 from variantgen.families.parameters.expressions import FamilyExpression
-from variantgen.mechanism.linkage import driven_body
 from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.groups.carriers import carrier_of, is_carried, is_translating
 from variantgen.methods.groups.wanted import leads_on
@@ -154,8 +153,8 @@ def _say_ways(book: Book, point: str, pivot: str, body: str) -> None:
 
 def turns_uniformly(book: Book, body: str) -> bool:
     """Whether a body without angular acceleration is driven, and not by a function of time."""
-    for template, driver in zip(book.task.form.drivers, book.task.scene.drivers, strict=True):
-        if driven_body(driver) == body:
+    for template, (turned, _) in zip(book.task.form.drivers, book.task.linkage.driven, strict=True):
+        if turned == body:
             source = template.fields.get("omega")
             return not isinstance(source, FamilyExpression) or law_behind(book.task, source) is None
     return False
