@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from variantgen.mechanism.small_matrices import inverse, solved
+from variantgen.mechanism.solving.linear import ScaledEquation, solve_block
 
 
 @pytest.mark.parametrize("count", [1, 3, 4, 6])
@@ -52,3 +53,31 @@ def test_a_matrix_has_the_same_inverse_alone_and_in_a_batch() -> None:
     together, _ = inverse(matrix)
     for i in (0, 7, 299):
         assert np.array_equal(inverse(matrix[..., i : i + 1])[0][..., 0], together[..., i])
+
+
+def test_a_block_of_four_equations_against_lapack() -> None:
+    """Its unknowns, and the smallest singular value of the matrix with columns, then rows, of largest entry one."""
+    random = np.random.default_rng(4)
+    tables = random.normal(size=(4, 4, 200)) * 10.0 ** random.uniform(-3, 3, size=(4, 1, 200))
+    tables[3] = tables[2] + tables[3] * 10.0 ** -random.uniform(0, 8, size=200)
+    right = random.normal(size=(4, 200))
+    sizes = np.abs(tables)
+    equations = [
+        ScaledEquation(dict(enumerate(row)), dict(enumerate(size))) for row, size in zip(tables, sizes, strict=True)
+    ]
+    found, sine = solve_block(equations, range(4), [(side, np.abs(side)) for side in right])
+    again, _ = solve_block(equations, range(4), [(2 * side, np.abs(side)) for side in right], sine)
+    matrix = np.moveaxis(tables, -1, 0)
+    scaled = matrix / np.max(np.abs(matrix), axis=1, keepdims=True)
+    scaled = scaled / np.max(np.abs(scaled), axis=2, keepdims=True)
+    singular = np.linalg.svd(scaled, compute_uv=False)
+    assert np.all(np.abs(np.asarray(sine.value) - np.minimum(singular[:, -1], 1.0)) < 1e-13)
+    regular = singular[:, -1] > 1e-9
+    assert np.array_equal(sine.regular, regular)
+    assert 0.8 < np.mean(regular) < 1.0
+    columns = np.max(np.abs(matrix), axis=1)
+    known = np.linalg.solve(matrix, right.T[..., None])[..., 0] * columns
+    for u in range(4):
+        error = np.abs(found[u] * columns[:, u] - known[:, u]) / np.max(np.abs(known), axis=1)
+        assert np.all(error[regular] < 1e-14 / singular[regular, -1])
+        assert np.array_equal(again[u], 2 * found[u])
