@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from math import acos, cos, radians, sin, sqrt
 
 import mpmath
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 from tests.joint_scenes import class_three
 from variantgen.errors import InputError

@@ -22,9 +22,10 @@ there is no other.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from variantgen.mechanism.arithmetic import Complex, Flags
@@ -94,8 +95,7 @@ def _between(z: ComplexArray, pairs: Places) -> ComplexArray:
     return vectors
 
 
-@dataclass(frozen=True)
-class _Way:
+class _Way(Struct, frozen=True):
     """Variants on their way from the picture; the batch is the last axis.
 
     ``number`` says which ones, ``z`` (points, N) and ``s`` (N) where they are, ``start`` what the conditions left in

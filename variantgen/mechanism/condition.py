@@ -6,14 +6,14 @@ derivatives do not depend on where the points are.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Protocol
+
+from msgspec import Struct
 
 from variantgen.mechanism.arithmetic import Complex, Real
 
 
-@dataclass(frozen=True)
-class VectorProduct:
+class VectorProduct(Struct, frozen=True):
     """``Re(factor conj(first) second) = value``; the vectors lead from one named point to another.
 
     Without a ``first`` vector the condition is linear, with 1 in its place.

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from variantgen.mechanism.arithmetic import unit_vector
 from variantgen.mechanism.component import Angle, PointName
 from variantgen.mechanism.condition import VectorProduct
 
 
-@dataclass(frozen=True)
-class LinkAngle:
+class LinkAngle(Struct, frozen=True):
     """``(exp(i size) f) x s = 0`` with f the first link, from its first named point to its second, and s the second.
 
     The angle, from the first to the second, counts counter-clockwise (rad). The equation holds for the opposite

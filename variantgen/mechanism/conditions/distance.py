@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from variantgen.mechanism.component import PointName, Size
 from variantgen.mechanism.condition import VectorProduct
 
 
-@dataclass(frozen=True)
-class Distance:
+class Distance(Struct, frozen=True):
     """``|z_end - z_start| = length``."""
 
     start: PointName

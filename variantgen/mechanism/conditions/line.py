@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
+
+from msgspec import Struct
 
 from variantgen.mechanism.arithmetic import unit_vector
 from variantgen.mechanism.component import Angle, PointName
 from variantgen.mechanism.condition import VectorProduct
 
 
-@dataclass(frozen=True)
-class PointOnLine:
+class PointOnLine(Struct, frozen=True):
     """``u x (z_point - z_through) = 0`` with u the direction ``angle`` (rad) or through -> ``towards``."""
 
     point: PointName

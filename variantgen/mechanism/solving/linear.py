@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import reduce
 
 import numpy as np
+from msgspec import Struct
 from numpy.typing import NDArray
 
 from variantgen.mechanism.arithmetic import Flags, Real, snap_to_zero
@@ -16,24 +16,21 @@ from variantgen.mechanism.small_matrices import inverse
 SINGULAR = 1e-9
 
 
-@dataclass(frozen=True)
-class ScaledEquation:
+class ScaledEquation(Struct, frozen=True):
     """One equation: coefficient by unknown, and the size of each before cancellation (for scaling)."""
 
     coefficients: dict[int, Real]
     sizes: dict[int, Real]
 
 
-@dataclass(frozen=True)
-class ScaledDeterminant:
+class ScaledDeterminant(Struct, frozen=True):
     """Scaled determinant of a block in [0, 1], and whether it is far enough from zero to divide by."""
 
     value: Real
     regular: Flags
 
 
-@dataclass(frozen=True)
-class ScaledInverse(ScaledDeterminant):
+class ScaledInverse(ScaledDeterminant, frozen=True):
     """Of a block of more than two equations: the smallest singular value of its scaled matrix in place of the
     determinant, the inverse of that, shape (n, n, N), and the scales of rows and columns, shape (n, N).
     """
