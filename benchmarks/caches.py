@@ -33,7 +33,7 @@ IDENTITY = {
     "exam.roster.columns:_kinds": "it is asked for every cell of a class",
     "families.restrict:_restricted": "problems of the same ranges have the same forms, and what these remember",
     "families.family:Form.remembered": "it is what forms remember",
-    "figure.board:Board.linkage": "the linkage remembers what rests",
+    "figure.build:Mechanism.linkage": "the linkage remembers what rests",
     "methods.linkage.problem:Task.linkage": "the linkage remembers what rests",
     "methods.linkage.problem:Task.remembered": "it is what tasks remember",
     "outputs.html.pages:_environment": "it has the compiled templates",

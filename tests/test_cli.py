@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.scene_files import scene_file
 from variantgen.cli import main
 
 K27 = ["OA=200", "OC=100", "AB=200", "h=200", "phi=90", "sense=clockwise", "branch=ahead", "omega_OA=1", "epsilon_OA=0"]
@@ -74,8 +75,7 @@ rotation = { body = "OA", omega = 2 }
 
 
 def test_a_scene_file_without_parameters(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
-    path = tmp_path / "scene.toml"
-    path.write_text(SCENE, encoding="utf-8")
+    path = scene_file(tmp_path, SCENE)
     found = solved(capsys, str(path))
     # Crank across the line of the slider: the rod is in translation, v_B = v_A = 40 cm/s.
     assert found["bodies"]["AB"]["omega"] == 0.0
@@ -83,8 +83,7 @@ def test_a_scene_file_without_parameters(capsys: pytest.CaptureFixture[str], tmp
 
 
 def test_a_scene_that_does_not_assemble(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
-    path = tmp_path / "scene.toml"
-    path.write_text(SCENE.replace("0.4 m", "10 cm"), encoding="utf-8")
+    path = scene_file(tmp_path, SCENE.replace("0.4 m", "10 cm"))
     assert main(["solve", str(path), "--json"]) == 2
     captured = capsys.readouterr()
     assert json.loads(captured.out)["outcome"] == "not_assembled"

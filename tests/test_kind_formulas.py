@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import cmath
-import json
 from collections.abc import Callable
 from math import acos, asin, cos, exp, hypot, pi, radians, sin, sqrt
 from pathlib import Path
 
 import pytest
 
+from tests.scene_files import solved_values
 from variantgen.cli import main
 
 FOLDER = Path(__file__).parent / "kind_scenes"
@@ -313,8 +313,7 @@ KINDS = {
 @pytest.mark.parametrize("name", KINDS)
 def test_a_scene_has_the_answers_of_its_own_formula(name: str, capsys: pytest.CaptureFixture[str]) -> None:
     path = str(FOLDER / f"{name}.toml")
-    assert main(["solve", path, "--json"]) == 0
-    found = {answer["quantity"]: answer["value"] for answer in json.loads(capsys.readouterr().out)["answers"]}
+    found = solved_values(path, capsys)
     assert found == pytest.approx(KINDS[name](), rel=1e-5, abs=1e-12)
     assert main(["solve", path, "--explain"]) == 0
     shown = capsys.readouterr()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import math
 
 import numpy as np
@@ -29,6 +30,7 @@ from variantgen.algebra.linear import linear, reduced
 from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import added, product, simplified
 from variantgen.algebra.substitution import pruned, substituted
+from variantgen.algebra.values import in_order
 
 
 def value(name: str, number: float, measure: str = "length") -> Value:
@@ -166,3 +168,17 @@ def test_angles_in_degrees_are_converted_in_a_program() -> None:
     assert eval(python_source.written(way, names), known) == pytest.approx(4 * math.pi / 3 * 0.5)
     assert eval(python_source.written(swing, names), known) == pytest.approx(math.cos(0.9 + math.pi / 3))
     assert eval(python_source.written(Times((Constant(2.0), phi)), names), known) == pytest.approx(2 * math.pi / 3)
+
+
+def test_values_come_after_what_they_are_computed_from() -> None:
+    """Each once, without what is known, and nothing is left that only the search for garbage finds."""
+    first = Value(Name("parameter", "p"), "length", 5.0, X - Y)
+    second = Value(Name("parameter", "q"), "length", 10.0, first + R + X)
+    gc.collect()
+    gc.disable()
+    try:
+        assert in_order([second, X]) == [X, Y, first, R, second]
+        assert in_order([second], known={first, R}) == [X, second]
+        assert gc.collect() == 0
+    finally:
+        gc.enable()

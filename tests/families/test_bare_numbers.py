@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.scene_files import scene_file
 from variantgen.cli import main
 from variantgen.errors import InputError
 from variantgen.exam.exam_file import read_exam
@@ -56,9 +57,7 @@ def refused(folder: Path, problem: str) -> str:
 
 
 def crank(folder: Path, angle: str, more: str = "") -> Path:
-    path = folder / "scene.toml"
-    path.write_text(CRANK % (more, angle), "utf-8")
-    return path
+    return scene_file(folder, CRANK % (more, angle))
 
 
 def test_a_fixed_value_outside_the_range_is_refused_with_the_unit(tmp_path: Path) -> None:

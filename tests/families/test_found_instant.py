@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.scene_files import scene_file
 from variantgen.cli import main
 from variantgen.errors import InputError
 from variantgen.families.reading.load import load_family
@@ -21,9 +22,7 @@ def _changed(folder: Path, *changes: tuple[str, str]) -> str:
     for old, new in changes:
         assert old in text
         text = text.replace(old, new)
-    path = folder / "scene.toml"
-    path.write_text(text, "utf-8")
-    return str(path)
+    return str(scene_file(folder, text))
 
 
 def _shown(capsys: pytest.CaptureFixture[str], *arguments: str) -> str:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import json
 import math
-from pathlib import Path
 
 import mpmath
 import numpy as np
 import pytest
 
 import variantgen
+from tests.scene_files import scene_file, solved_values
 from variantgen.cli import main
 
 # A point on the axis x: x' = 3 (t - 5) (t + 1), so that it turns back at 5 s.
@@ -137,25 +137,13 @@ def _crank_turns() -> dict[str, float]:
     }
 
 
-def _file(text: str, tmp_path: Path) -> str:
-    path = tmp_path / "scene.toml"
-    path.write_text(text, encoding="utf-8")
-    return str(path)
-
-
-def _answers(text: str, names, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> dict[str, float]:
-    asks = [word for name in names for word in ("--ask", name)]
-    assert main(["solve", _file(text, tmp_path), "--json", *asks]) == 0, capsys.readouterr().err
-    return {answer["quantity"]: answer["value"] for answer in json.loads(capsys.readouterr().out)["answers"]}
-
-
 @pytest.mark.parametrize(
     ("text", "expected"),
     [(LINE, ON_LINE), (SHELL, SHELL_FLIES), (CRANK, _crank_turns())],
     ids=["line", "shell", "crank"],
 )
 def test_values(text, expected, tmp_path, capsys):
-    assert _answers(text, expected, tmp_path, capsys) == pytest.approx(expected, rel=1e-7, abs=1e-7)
+    assert solved_values(scene_file(tmp_path, text), capsys, *expected) == pytest.approx(expected, rel=1e-7, abs=1e-7)
 
 
 @pytest.mark.parametrize("language", ["en", "ru"])
@@ -166,7 +154,7 @@ def test_values(text, expected, tmp_path, capsys):
 )
 def test_the_page_tells_the_interval_and_how_values_are_found(text, expected, language, tmp_path, capsys):
     asks = [word for name in expected for word in ("--ask", name)]
-    path = _file(text, tmp_path)
+    path = str(scene_file(tmp_path, text))
     assert main(["show", path, "--explain", "--lang", language, *asks]) == 0, capsys.readouterr().err
     out = capsys.readouterr().out.replace("\N{NO-BREAK SPACE}", " ")
     last = "10" if text == LINE else "8" if text == SHELL else "4"
@@ -176,13 +164,13 @@ def test_the_page_tells_the_interval_and_how_values_are_found(text, expected, la
 
 
 def test_units(tmp_path, capsys):
-    found = _answers(CRANK, ["turned_OA in rev", "t_zero_v_B in min", "way_A in m"], tmp_path, capsys)
+    found = solved_values(scene_file(tmp_path, CRANK), capsys, "turned_OA in rev", "t_zero_v_B in min", "way_A in m")
     expected = {"turned_OA": 4 / math.pi, "t_zero_v_B": math.sqrt(2 * math.pi) / 60, "way_A": 2.4}
     assert found == pytest.approx(expected)
 
 
 def test_what_does_not_come_has_no_value(tmp_path, capsys):
-    path = _file(LINE.replace("[0, 10]", "[6, 10]"), tmp_path)
+    path = str(scene_file(tmp_path, LINE.replace("[0, 10]", "[6, 10]")))
     assert main(["solve", path, "--ask", "t_zero_v_M"]) == 0
     assert "t_zero_v_M: no value: it does not come in the interval" in capsys.readouterr().out
 
@@ -190,7 +178,7 @@ def test_what_does_not_come_has_no_value(tmp_path, capsys):
 def test_a_mechanism_that_cannot_move_all_through_the_interval_has_no_values(tmp_path, capsys):
     """The rod of 20 is shorter than the crank: the slider exists only near the guide."""
     text = CRANK.replace("distance = 80", "distance = 20").replace("values = [1.5]", "values = [0.5]")
-    assert _answers(text, ["way_B", "max_t_v_B"], tmp_path, capsys) == {"way_B": None, "max_t_v_B": None}
+    assert solved_values(scene_file(tmp_path, text), capsys, "way_B", "max_t_v_B") == {"way_B": None, "max_t_v_B": None}
 
 
 @pytest.mark.parametrize(
@@ -203,13 +191,13 @@ def test_a_mechanism_that_cannot_move_all_through_the_interval_has_no_values(tmp
     ],
 )
 def test_wrong_intervals(old, new, said, tmp_path, capsys):
-    assert main(["solve", _file(LINE.replace(old, new), tmp_path), "--ask", "way_M"]) == 2
+    assert main(["solve", str(scene_file(tmp_path, LINE.replace(old, new))), "--ask", "way_M"]) == 2
     assert said in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("name", ["way_M", "t_zero_v_M", "max_t_v_M", "max_v_M"])
 def test_without_an_interval_it_is_asked_for(name, tmp_path, capsys):
-    path = _file(LINE.replace("interval = [0, 10]", ""), tmp_path)
+    path = str(scene_file(tmp_path, LINE.replace("interval = [0, 10]", "")))
     assert main(["solve", path, "--ask", name]) == 2
     assert "interval = [0, 3]" in capsys.readouterr().err
 
@@ -223,7 +211,7 @@ FAMILY = (
 
 def test_variants_of_a_scene_with_an_interval(tmp_path):
     """The way of the pin is 8 OA; the rod of 80 turns by - arcsin(OA sin 8 / 80)."""
-    path = _file(FAMILY, tmp_path)
+    path = str(scene_file(tmp_path, FAMILY))
     found = variantgen.batch(path, 40, seed=1, ask=["way_A", "turned_AB", "t_zero_v_B"])
     lengths = found.table()["OA"]
     assert found.answers["way_A"] == pytest.approx(8 * lengths)
@@ -233,16 +221,16 @@ def test_variants_of_a_scene_with_an_interval(tmp_path):
 
 def test_what_a_law_tells_by_the_axes_is_not_reflected(tmp_path):
     """The page says that phi is the angle of OA with the axis x; without a law the scene may be reflected."""
-    path = _file(FAMILY, tmp_path)
+    path = str(scene_file(tmp_path, FAMILY))
     assert set(np.sign(variantgen.batch(path, 40, seed=1, ask=["turned_OA"]).answers["turned_OA"])) == {1.0}
     plain = FAMILY.partition("[laws]")[0] + "[points]" + FAMILY.partition("[points]")[2]
-    path = _file(plain.replace('angle = "phi"', "angle = 70").replace('"phi_dot"', "2"), tmp_path)
+    path = str(scene_file(tmp_path, plain.replace('angle = "phi"', "angle = 70").replace('"phi_dot"', "2")))
     found = variantgen.batch(path, 40, seed=1, ask=["v_A.x"]).answers["v_A.x"]
     assert set(np.sign(found)) == {-1.0, 1.0}
 
 
 def test_an_exam_with_an_interval(tmp_path, capsys):
-    _file(FAMILY, tmp_path)
+    scene_file(tmp_path, FAMILY)
     exam = """
 title = "T"
 course = ""
@@ -260,7 +248,7 @@ ask = ["v_B", "max_t_v_B", "way_B"]
 
 
 def test_everything_of_an_interval(tmp_path, capsys):
-    assert main(["solve", _file(LINE, tmp_path), "--all", "--json"]) == 0
+    assert main(["solve", str(scene_file(tmp_path, LINE)), "--all", "--json"]) == 0
     found = {item["quantity"]: item["value"] for item in json.loads(capsys.readouterr().out)["all"]}
     names = ["way_M", "shift_M", "max_t_v_M", "t_max_v_M", "t_zero_v_M", "t_back_M"]
     assert {name: found[name] for name in names} == pytest.approx({name: ON_LINE[name] for name in names})
@@ -293,7 +281,7 @@ travel = { point = "R", v = "h_dot", angle = 90 }
 
 def test_places_of_bodies_that_are_named_anew_at_every_instant(tmp_path, capsys):
     """The angle arctan(h / 40) of a slotted arm; the contact of a wheel of 0.5 m that rolls 3 m and back 1 m."""
-    found = _answers(RADAR, ["turned_CR", "t_max_omega_CR", "max_t_a_R"], tmp_path, capsys)
+    found = solved_values(scene_file(tmp_path, RADAR), capsys, "turned_CR", "t_max_omega_CR", "max_t_a_R")
     expected = {"turned_CR": math.degrees(math.atan(192 / 40)), "t_max_omega_CR": (1600 / 27) ** 0.25, "max_t_a_R": 6}
     assert found == pytest.approx(expected)
     wheel = LINE.replace('M = { coordinates = { x = "x", y = 0 } }', WHEEL).replace(
@@ -301,7 +289,7 @@ def test_places_of_bodies_that_are_named_anew_at_every_instant(tmp_path, capsys)
     )
     wheel = wheel.replace("t^3 - 6*t^2 - 15*t + 40", "4*t - t^2").replace("[0, 10]", "[0, 3]")
     wheel = wheel.replace("[[joints]]", '[bodies]\nw = ["M", "P"]\n[[joints]]')
-    found = _answers(wheel, ["turned_w", "way_M", "max_t_a_P"], tmp_path, capsys)
+    found = solved_values(scene_file(tmp_path, wheel), capsys, "turned_w", "way_M", "max_t_a_P")
     expected = {"turned_w": -math.degrees(3 / 0.5), "way_M": 5, "max_t_a_P": 4**2 / 0.5}
     assert found == pytest.approx(expected)
 

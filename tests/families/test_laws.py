@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from pathlib import Path
 
@@ -11,6 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.scene_files import scene_file, solved_values
 from variantgen.cli import main
 from variantgen.errors import InputError
 from variantgen.families.parameters.expressions import parse
@@ -95,8 +95,7 @@ rotation = { body = "AB", omega = "phi_dot", epsilon = "phi_ddot" }
 
 
 def read(folder: Path, content: str) -> object:
-    path = folder / "scene.toml"
-    path.write_text(content, "utf-8")
+    path = scene_file(folder, content)
     return read_family(path)
 
 
@@ -163,10 +162,8 @@ rotation = { body = "AB", omega = "phi_dot", epsilon = "phi_ddot" }
     ],
 )
 def test_laws_of_plain_numbers(law: str, factor: float, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    path = tmp_path / "plain.toml"
-    path.write_text(PLAIN.replace('s = "t^3 + 2 * t"', law), "utf-8")
-    assert main(["solve", str(path), "--json"]) == 0
-    found = {answer["quantity"]: answer["value"] for answer in json.loads(capsys.readouterr().out)["answers"]}
+    path = scene_file(tmp_path, PLAIN.replace('s = "t^3 + 2 * t"', law))
+    found = solved_values(path, capsys)
     t = 5 / 3
     assert found["v_A.x"] == pytest.approx(factor * (3 * t**2 + 2), rel=1e-7)
     assert found["a_A.x"] == pytest.approx(factor * 6 * t, rel=1e-7)
@@ -265,21 +262,15 @@ travel = { point = "M", v = "y_dot", a = "y_ddot", angle = 90 }
 """
 
 
-def _answers(path: Path, capsys: pytest.CaptureFixture[str]) -> dict[str, float]:
-    assert main(["solve", str(path), "--json"]) == 0, capsys.readouterr().err
-    return {answer["quantity"]: answer["value"] for answer in json.loads(capsys.readouterr().out)["answers"]}
-
-
 def test_a_law_names_another_one(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """On y = x^2 / 160: y' = x x' / 80 = 62.5, y'' = x'^2 / 80, rho = (1 + (x / 80)^2)^1.5 * 80 at x = 100."""
-    path = tmp_path / "scene.toml"
-    path.write_text(MOWER, encoding="utf-8")
+    path = scene_file(tmp_path, MOWER)
     expected = {"v_M": math.hypot(50, 62.5), "a_M": 2500 / 80, "rho_M": 80 * (1 + (100 / 80) ** 2) ** 1.5}
-    assert _answers(path, capsys) == pytest.approx(expected)
+    assert solved_values(path, capsys) == pytest.approx(expected)
     for unit, factor in (("cm", 10), ("mm", 1)):
         beside = f'{{ law = "x^2 / 160 + 3", unit = "{unit}" }}'
         path.write_text(MOWER.replace('"x^2 / 160 + 3"', beside), encoding="utf-8")
-        assert _answers(path, capsys)["a_M"] == pytest.approx(factor * 2500 / 80)
+        assert solved_values(path, capsys)["a_M"] == pytest.approx(factor * 2500 / 80)
     assert main(["show", str(path), "--explain"]) == 0
     out = capsys.readouterr().out.replace("\N{NO-BREAK SPACE}", " ")
     assert "y_M = y = (x^2 / 160 + 3) mm" in out
@@ -313,11 +304,10 @@ rotation = { body = "OA", omega = "phi_dot" }
 @pytest.mark.parametrize("language", ["en", "ru"])
 def test_a_law_with_an_exponential_function(language: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """A spindle that comes up to 10 rad/s: omega = 10 (1 - e^(-2t)), epsilon = 20 e^(-2t)."""
-    path = tmp_path / "scene.toml"
-    path.write_text(SPINDLE, encoding="utf-8")
+    path = scene_file(tmp_path, SPINDLE)
     omega, epsilon = 10 * (1 - math.exp(-1)), 20 * math.exp(-1)
     phi = 10 * (0.5 + 0.5 * (math.exp(-1) - 1))
-    assert _answers(path, capsys) == pytest.approx(
+    assert solved_values(path, capsys) == pytest.approx(
         {
             "omega_OA": omega,
             "epsilon_OA": epsilon,
@@ -334,8 +324,7 @@ def test_a_law_with_an_exponential_function(language: str, tmp_path: Path, capsy
 def test_a_coordinate_that_a_law_tells_is_not_told_as_a_number(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    path = tmp_path / "scene.toml"
-    path.write_text(LADDER.replace('ask = ["v_B"', 'ask = ["x_A", "v_B"'), encoding="utf-8")
+    path = scene_file(tmp_path, LADDER.replace('ask = ["v_B"', 'ask = ["x_A", "v_B"'))
     assert main(["show", str(path)]) == 0, capsys.readouterr().err
     given, _, _ = capsys.readouterr().out.partition("Key")
     assert "y_A = 0\N{NO-BREAK SPACE}m" in given

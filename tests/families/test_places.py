@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 import pytest
 
+from tests.scene_files import scene_file, solved_values
 from variantgen.cli import main
 
 ARM = """
@@ -31,10 +31,8 @@ rotation = { body = "OA", omega = 2 }
 
 
 def test_two_points_of_one_place_with_two_velocities(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    path = tmp_path / "arm.toml"
-    path.write_text(ARM, "utf-8")
-    assert main(["solve", str(path), "--json", "--ask", "v_A", "--ask", "v_E", "--ask", "v_rel_A"]) == 0
-    found = {answer["quantity"]: answer["value"] for answer in json.loads(capsys.readouterr().out)["answers"]}
+    path = scene_file(tmp_path, ARM)
+    found = solved_values(path, capsys, "v_A", "v_E", "v_rel_A")
     # The pin moves upwards with 80; the arm lies along 4:3, so its point has 4/5 of that, the rest is along the slot.
     assert found == {"v_A": pytest.approx(80), "v_E": pytest.approx(64), "v_rel_A": pytest.approx(48)}
 
@@ -48,7 +46,6 @@ def test_two_points_of_one_place_with_two_velocities(tmp_path: Path, capsys: pyt
     ],
 )
 def test_a_place_that_no_point_has(place: str, said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    path = tmp_path / "arm.toml"
-    path.write_text(ARM.replace('E = "A"', place), "utf-8")
+    path = scene_file(tmp_path, ARM.replace('E = "A"', place))
     assert main(["solve", str(path)]) == 2
     assert said in capsys.readouterr().err

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import unicodedata
 from collections.abc import Callable
@@ -13,6 +12,7 @@ import numpy as np
 import pytest
 
 import variantgen
+from tests.scene_files import scene_file, solved_values
 from variantgen.cli import main
 
 SCENE = """
@@ -34,16 +34,7 @@ BY_PLACE = 's = { unit = "m", values = [2] }'
 
 def _written(folder: Path, law: str, parameter: str = BY_TIME, interval: str = "", unit: str = "m") -> str:
     laws = ('time = "t"\n' if parameter.startswith("t") else "") + f"s = {{ {law} }}\n" + interval
-    path = folder / "scene.toml"
-    path.write_text(SCENE.format(unit=unit, parameter=parameter, laws=laws), encoding="utf-8")
-    return str(path)
-
-
-def _solved(path: str, capsys: pytest.CaptureFixture[str], *asked: str) -> dict[str, float]:
-    code = main(["solve", path, "--json", *(part for name in asked for part in ("--ask", name))])
-    shown = capsys.readouterr()
-    assert code == 0, shown.err
-    return {a["quantity"]: a["value"] for a in json.loads(shown.out)["answers"]}
+    return str(scene_file(folder, SCENE.format(unit=unit, parameter=parameter, laws=laws)))
 
 
 def _by_mpmath(acceleration: Callable, place: float, velocity: float, t: float) -> tuple[float, float, float]:
@@ -76,7 +67,7 @@ def test_an_acceleration_leads_to_the_motion(
     text: str, function: Callable, place: float, velocity: float, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = _written(tmp_path, f'a = "{text}", start = {{ s = {place}, v = {velocity} }}')
-    found = _solved(path, capsys, "x_B", "v_B.x", "a_B.x")
+    found = solved_values(path, capsys, "x_B", "v_B.x", "a_B.x")
     expected = _by_mpmath(function, place, velocity, 2)
     assert list(found.values()) == pytest.approx(expected, rel=1e-7, abs=1e-7)
 
@@ -99,7 +90,7 @@ def test_an_acceleration_leads_to_the_motion(
 def test_a_velocity_leads_to_the_motion(
     text: str, begun: str, expected: tuple[float, ...], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    found = _solved(_written(tmp_path, f'v = "{text}", start = {{ {begun} }}'), capsys, "x_B", "v_B.x", "a_B.x")
+    found = solved_values(_written(tmp_path, f'v = "{text}", start = {{ {begun} }}'), capsys, "x_B", "v_B.x", "a_B.x")
     assert list(found.values()) == pytest.approx(expected, rel=1e-7)
 
 
@@ -123,7 +114,7 @@ def test_a_velocity_leads_to_the_motion(
 def test_rates_at_a_place(
     law: str, velocity: float, acceleration: float, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    found = _solved(_written(tmp_path, law, BY_PLACE), capsys, "v_B.x", "a_B.x")
+    found = solved_values(_written(tmp_path, law, BY_PLACE), capsys, "v_B.x", "a_B.x")
     assert list(found.values()) == pytest.approx([velocity, acceleration], rel=1e-7)
 
 
@@ -141,7 +132,7 @@ def test_the_time_of_a_way(
     law: str, interval: str, expected: float, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = _written(tmp_path, law, BY_PLACE, f"interval = {interval}")
-    found = _solved(path, capsys, "duration_B", "mean_t_v_B", "way_B")
+    found = solved_values(path, capsys, "duration_B", "mean_t_v_B", "way_B")
     assert found["duration_B"] == pytest.approx(expected, rel=1e-7)
     assert found["mean_t_v_B"] == pytest.approx(found["way_B"] / expected, rel=1e-7)
 
@@ -150,14 +141,14 @@ def test_numbers_are_in_the_unit_of_the_law(tmp_path: Path, capsys: pytest.Captu
     """In feet: v^2 = 16 + 2 * 3 * 2 = 28 with 2 ft as the place; starts may have units of their own."""
     law = 'a = "36 in/s^2", unit = "ft", start = { s = "0 m", v = "48 in/s" }'
     path = _written(tmp_path, law, 's = { unit = "ft", values = [2] }', unit="m")
-    assert _solved(path, capsys, "v_B in ft/s")["v_B"] == pytest.approx(math.sqrt(28))
+    assert solved_values(path, capsys, "v_B in ft/s")["v_B"] == pytest.approx(math.sqrt(28))
 
 
 def test_parameters_in_a_rate(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """``v = v_0 (1 - t/T)``: at half the time half the velocity, and three quarters of ``v_0 T / 2``."""
     parameters = f'{BY_TIME}\nT = {{ unit = "s", values = [4] }}\nu = {{ unit = "m/s", values = [6] }}'
     path = _written(tmp_path, 'v = "u * (1 - t/T)", start = { s = "1 m" }', parameters)
-    assert list(_solved(path, capsys, "x_B", "v_B").values()) == pytest.approx([1 + 9, 3])
+    assert list(solved_values(path, capsys, "x_B", "v_B").values()) == pytest.approx([1 + 9, 3])
 
 
 def _plain(capsys: pytest.CaptureFixture[str]) -> str:
@@ -197,7 +188,7 @@ def test_a_crank_between_two_positions(tmp_path: Path, capsys: pytest.CaptureFix
     laws = 'phi = { omega = 10 }\ninterval = ["30 deg", "90 deg"]'
     path = tmp_path / "crank.toml"
     path.write_text(CRANK.format(parameter='phi = { unit = "deg", values = [30] }', laws=laws), encoding="utf-8")
-    found = _solved(str(path), capsys, "mean_t_v_B", "duration_B", "max_t_v_B", "t_max_v_B", "way_B", "turned_OA")
+    found = solved_values(str(path), capsys, "mean_t_v_B", "duration_B", "max_t_v_B", "t_max_v_B", "way_B", "turned_OA")
 
     def speed(phi: mpmath.mpf) -> mpmath.mpf:
         return -10 * mpmath.diff(_place, phi)
@@ -227,7 +218,7 @@ def test_a_crank_with_an_angular_acceleration_of_the_time(tmp_path: Path, capsys
     laws = 'time = "t"\nphi = { epsilon = "6*t", start = { phi = "20 deg", omega = 0 } }'
     path = tmp_path / "crank.toml"
     path.write_text(CRANK.format(parameter='t = { unit = "s", values = [0.8] }', laws=laws), encoding="utf-8")
-    found = _solved(str(path), capsys, "omega_OA", "epsilon_OA", "v_B.x", "a_B.x")
+    found = solved_values(str(path), capsys, "omega_OA", "epsilon_OA", "v_B.x", "a_B.x")
 
     def place(t: mpmath.mpf) -> mpmath.mpf:
         return _place(t**3 + mpmath.pi / 9)
@@ -241,7 +232,7 @@ def test_a_crank_whose_velocity_depends_on_its_angle(tmp_path: Path, capsys: pyt
     laws = 'phi = { epsilon = "2*phi", start = { phi = 0.1, omega = 0 } }'
     path = tmp_path / "crank.toml"
     path.write_text(CRANK.format(parameter='phi = { unit = "deg", values = [60] }', laws=laws), encoding="utf-8")
-    found = _solved(str(path), capsys, "omega_OA", "epsilon_OA")
+    found = solved_values(str(path), capsys, "omega_OA", "epsilon_OA")
     assert list(found.values()) == pytest.approx([math.sqrt(2 * ((math.pi / 3) ** 2 - 0.01)), 2 * math.pi / 3])
 
 
@@ -265,7 +256,7 @@ travel = { point = "B", v = "y_dot", angle = 90 }
 """,
         encoding="utf-8",
     )
-    found = _solved(str(path), capsys, "v_B.x", "v_B.y", "a_B.y", "rho_B")
+    found = solved_values(str(path), capsys, "v_B.x", "v_B.y", "a_B.y", "rho_B")
     assert list(found.values()) == pytest.approx([3, 3, 4.5, (9 + 9) ** 1.5 / (3 * 4.5)])
 
 
@@ -315,7 +306,7 @@ def test_a_start_is_told_in_the_unit_in_which_it_is_short(tmp_path: Path, capsys
 def test_a_start_by_a_parameter(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     parameters = f'{BY_TIME}\nu = {{ unit = "m/s", values = [8] }}'
     path = _written(tmp_path, 'a = "-0.4*v", start = { s = "2 m", v = "u" }', parameters)
-    assert list(_solved(path, capsys, "v_B").values()) == pytest.approx([8 * math.exp(-0.8)], rel=1e-7)
+    assert list(solved_values(path, capsys, "v_B").values()) == pytest.approx([8 * math.exp(-0.8)], rel=1e-7)
     assert main(["show", path, "--ask", "v_B"]) == 0
     shown = _plain(capsys)
     assert "u = 8 m/s" in shown
@@ -450,7 +441,7 @@ def test_an_instant_of_such_a_law_is_found(
 ) -> None:
     path = tmp_path / "found.toml"
     path.write_text(FOUND.format(event=event, law=law), encoding="utf-8")
-    found = _solved(str(path), capsys, "t", "v_B")
+    found = solved_values(str(path), capsys, "t", "v_B")
     assert list(found.values()) == pytest.approx([time, velocity], rel=1e-7)
 
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.scene_files import scene_file
 from variantgen.errors import InputError
 from variantgen.families.quantities import parse_quantity, split_name
 from variantgen.families.reading.load import load_family
@@ -63,8 +64,7 @@ def value(scene: Scene, name: str) -> float:
 
 
 def of_file(text: str, tmp_path: Path) -> dict[str, float]:
-    path = tmp_path / "scene.toml"
-    path.write_text(text, encoding="utf-8")
+    path = scene_file(tmp_path, text)
     return {answer.quantity.name: answer.value for answer in answers(one_variant(path))}
 
 
@@ -133,8 +133,7 @@ def test_symbols_and_notes(language, symbol):
 @pytest.mark.parametrize("text", [CARS, MIDPOINTS])
 def test_a_solution(text, methods, language, tmp_path):
     """Every number printed is compared with the motion; a method that does not apply says so."""
-    path = tmp_path / "scene.toml"
-    path.write_text(text, encoding="utf-8")
+    path = scene_file(tmp_path, text)
     shown = str(explain(one_variant(path), language=language, methods=methods))
     assert {"en": "relative to point", "ru": "относительно точки"}[language] in shown
 

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.scene_files import scene_file
 from tests.scene_texts import FREE_CRANK
 from variantgen.errors import InputError, Problem
 from variantgen.families.reading.load import read_family
@@ -14,8 +15,7 @@ FORM = '[forms.f%d]\ndrivers = [{ rotation = { body = "OA", omega = %d } }]\n'
 
 
 def problems(folder: Path, text: str) -> list[Problem]:
-    path = folder / "scene.toml"
-    path.write_text(text, "utf-8")
+    path = scene_file(folder, text)
     with pytest.raises(InputError) as caught:
         read_family(path)
     return list(caught.value.problems)

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.scene_files import scene_file
 from variantgen import answers, draw, load_family
 from variantgen.cli import main
 from variantgen.families.parameters.units import UNITS, parse_value, unit
@@ -170,8 +171,7 @@ rotation = { body = "crank", omega = "1 / t + (R / R)^2 / (1 * t)" }
     ],
 )
 def test_a_rate_in_turns_is_given_in_rpm_and_brought_to_radians(tmp_path, capsys, omega, given, worked_out):
-    path = tmp_path / "scene.toml"
-    path.write_text(SCENE.format(ask='"v_A"', omega=omega), encoding="utf-8")
+    path = scene_file(tmp_path, SCENE.format(ask='"v_A"', omega=omega))
     assert main(["show", str(path), "--explain"]) == 0
     shown = capsys.readouterr().out.replace("\N{NO-BREAK SPACE}", " ")
     assert given in shown

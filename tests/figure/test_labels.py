@@ -27,7 +27,7 @@ def test_a_label_keeps_off_lines() -> None:
     # A fan of lines fills everything but the lower left.
     fan = [40 * np.exp(1j * angle) for angle in np.linspace(-1.2, 2.8, 40)]
     segments = np.array([[0j, end] for end in fan])
-    (label,), leaders = place_labels([around(A, 0j, 1.0)], segments, [0j])
+    (label,), leaders, _ = place_labels([around(A, 0j, 1.0)], segments, [0j])
     assert not leaders
     assert boxes_crossed(np.array([label.at]), (label.size[0] / 2, label.size[1] / 2), segments).tolist() == [0]
     assert label.at.real < 0
@@ -36,7 +36,7 @@ def test_a_label_keeps_off_lines() -> None:
 
 def test_labels_of_coinciding_wishes_are_spread() -> None:
     requests = [around(Symbol(letter), complex(0.5 * i), 1.0) for i, letter in enumerate("ABCDE")]
-    labels, _ = place_labels(requests, np.zeros((0, 2), dtype=complex), [])
+    labels = place_labels(requests, np.zeros((0, 2), dtype=complex), []).labels
     for i, one in enumerate(labels):
         for other in labels[:i]:
             gap = one.at - other.at
@@ -56,7 +56,7 @@ def test_a_label_without_room_is_led_to() -> None:
     # Short strokes all around the point leave no free place near it.
     ways = np.exp(1j * np.linspace(0, 2 * np.pi, 60, endpoint=False))
     segments = np.stack((1.5 * ways, 9.0 * ways), axis=1)
-    (label,), (leader,) = place_labels([around(A, 0j, 1.0)], segments, [0j])
+    (label,), (leader,), _ = place_labels([around(A, 0j, 1.0)], segments, [0j])
     half = (label.size[0] / 2, label.size[1] / 2)
     assert boxes_crossed(np.array([label.at]), half, segments).tolist() == [0]
     # The leader begins at the symbol, points at its centre, and ends at the letter.
@@ -105,7 +105,7 @@ def test_the_letter_of_an_arrow_is_led_to_rather_than_far_away() -> None:
     v = [Symbol("v", (Index(letter),)) for letter in "AB"]
     arrows = [along_arrow(v[0], 0j, 5 + 0j), along_arrow(v[1], 9 + 0j, 20 + 0j)]
     walls = [(-3 + 1j * y, 8 + 1j * y) for y in (1.5, -1.5, 4.0, -4.0)] + [(8 - 9j, 8 + 9j)]
-    (label, _), leaders = place_labels(arrows, np.array([(0, 5), (9, 20), *walls]), [])
+    (label, _), leaders, _ = place_labels(arrows, np.array([(0, 5), (9, 20), *walls]), [])
     assert label.formula == v[0]
     assert [leader.points[0] for leader in leaders] == [5 + 0j]
 

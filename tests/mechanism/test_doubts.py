@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.scene_files import scene_file
 from variantgen.cli import main
 
 HOIST = """
@@ -77,8 +78,7 @@ rotation = {{ body = "OP", omega = 2 }}
 def test_it_is_told_with_key_and_remedy(
     text: str, told: tuple[str, ...], command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    path = tmp_path / "scene.toml"
-    path.write_text(text, encoding="utf-8")
+    path = scene_file(tmp_path, text)
     code = main([command, str(path)])
     shown = capsys.readouterr()
     assert code == 0, shown
@@ -92,8 +92,7 @@ def test_a_pulley_is_told_where_its_rope_is_aslant(
     side: str, told: bool, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """How fast B is depends on the place of the pulley only where the rope does not run along the guides."""
-    path = tmp_path / "scene.toml"
-    path.write_text(HOIST.format(side=side, wheel=8), encoding="utf-8")
+    path = scene_file(tmp_path, HOIST.format(side=side, wheel=8))
     assert main(["show", str(path)]) == 0
     assert ("x_K = 0 m, y_K = 0 m" in " ".join(capsys.readouterr().out.split())) is told
 

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import json
-
 import pytest
 
+from tests.scene_files import scene_file, solved_items
 from variantgen.cli import main
 
 CRANK_AND_SLIDER = """
@@ -92,12 +91,10 @@ BOOKS = {
 def test_the_printed_answers_and_a_solution(book, unit, tmp_path, capsys):
     text, lengths, others, expected = BOOKS[book]
     data = {name: f"{value / METRES[unit]:.9g}" for name, value in lengths.items()}
-    path = tmp_path / "scene.toml"
-    path.write_text(text.format(unit=unit, **data, **others), encoding="utf-8")
+    path = scene_file(tmp_path, text.format(unit=unit, **data, **others))
     asked = [word for name in expected for word in ("--ask", name)]
-    assert main(["solve", str(path), "--json", *asked]) == 0
-    for item in json.loads(capsys.readouterr().out)["answers"]:
-        number, digit = expected[item["quantity"]]
+    for name, item in solved_items(path, capsys, *expected).items():
+        number, digit = expected[name]
         in_metres = METRES.get(item["unit"].partition("/")[0], 1.0)
         assert item["value"] * in_metres == pytest.approx(number, abs=digit)
         assert item["tolerance"] <= 0.1 * abs(item["value"])

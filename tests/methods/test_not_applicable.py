@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import json
-from pathlib import Path
 
 import pytest
 
+from tests.scene_files import scene_file, solved_items
 from tests.scene_texts import CRANK
 from variantgen.cli import main
 from variantgen.methods import compose
@@ -71,20 +71,9 @@ points = 5
 """
 
 
-def written(folder: Path, text: str) -> str:
-    path = folder / "scene.toml"
-    path.write_text(text, encoding="utf-8")
-    return str(path)
-
-
-def answers(path: str, capsys: pytest.CaptureFixture[str]) -> dict[str, dict[str, float]]:
-    assert main(["solve", path, "--json"]) == 0
-    return {item["quantity"]: item for item in json.loads(capsys.readouterr().out)["answers"]}
-
-
 def test_a_body_on_a_level_line(tmp_path, capsys):
-    path = written(tmp_path, LEVEL)
-    found = answers(path, capsys)
+    path = str(scene_file(tmp_path, LEVEL))
+    found = solved_items(path, capsys)
     # omega = (20 - 10) / 20, and O is 10 cm to the left of A.
     assert found["omega_p"]["value"] == pytest.approx(0.5)
     assert found["v_O"]["value"] == pytest.approx(10 - 0.5 * 10)
@@ -96,8 +85,8 @@ def test_a_body_on_a_level_line(tmp_path, capsys):
 
 
 def test_a_rope_over_two_movable_pulleys(tmp_path, capsys):
-    path = written(tmp_path, PULLEYS)
-    found = answers(path, capsys)
+    path = str(scene_file(tmp_path, PULLEYS))
+    found = solved_items(path, capsys)
     # -2 v_C - 2 v_E + v_T = 0
     assert found["v_E"]["value"] == pytest.approx((30 - 2 * 5) / 2)
     # d v_E = d v_T / 2 and d v_C: 30 and 10 of 20 halves, sqrt(1.5^2 + 0.5^2) times 0.4 %, below the floor of 1 %.
@@ -108,7 +97,7 @@ def test_a_rope_over_two_movable_pulleys(tmp_path, capsys):
 
 def test_tolerances_follow_the_data_where_no_method_leads(tmp_path, capsys):
     """v_E = (v_T - 2 v_C) / 2 with 30 and 14: the two data are weighed 15 and 14 times the answer of 1."""
-    found = answers(written(tmp_path, PULLEYS.replace("v = 5,", "v = 14,")), capsys)
+    found = solved_items(scene_file(tmp_path, PULLEYS.replace("v = 5,", "v = 14,")), capsys)
     assert found["v_E"]["value"] == pytest.approx(1.0)
     assert found["v_E"]["tolerance"] == pytest.approx(0.004 * (15**2 + 14**2) ** 0.5, abs=1.1e-3)
 
@@ -119,8 +108,8 @@ def test_without_any_method_the_answers_stand(tmp_path, capsys, monkeypatch):
 
     monkeypatch.setattr(solve_groups, "velocities", nowhere)
     monkeypatch.setattr(compose, "_by_one_method", nowhere)
-    path = written(tmp_path, LEVEL)
-    assert answers(path, capsys)["omega_p"]["value"] == pytest.approx(0.5)
+    path = str(scene_file(tmp_path, LEVEL))
+    assert solved_items(path, capsys)["omega_p"]["value"] == pytest.approx(0.5)
     assert main(["solve", path, "--explain"]) == 0
     output = capsys.readouterr()
     assert "no method of solution leads to omega_p, v_O; the answers themselves" in output.err
@@ -130,7 +119,7 @@ def test_without_any_method_the_answers_stand(tmp_path, capsys, monkeypatch):
 
 @pytest.mark.parametrize("words", [["solve"], ["solve", "--explain"], ["check"]])
 def test_two_names_for_one_place(tmp_path, capsys, words):
-    assert main([words[0], written(tmp_path, TWO_NAMES), *words[1:]]) == 2
+    assert main([words[0], str(scene_file(tmp_path, TWO_NAMES)), *words[1:]]) == 2
     output = capsys.readouterr().err
     assert "bodies.OA: the points O and Q of this body lie in one place: two names for one point" in output
     assert "use one of the names everywhere" in output
@@ -142,7 +131,7 @@ def test_check_says_that_nothing_explains_it(tmp_path, capsys, monkeypatch):
 
     monkeypatch.setattr(solve_groups, "velocities", nowhere)
     monkeypatch.setattr(compose, "_by_one_method", nowhere)
-    assert main(["check", written(tmp_path, LEVEL)]) == 0
+    assert main(["check", str(scene_file(tmp_path, LEVEL))]) == 0
     assert "no method of solution leads to omega_p, v_O" in capsys.readouterr().out
 
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import json
 import math
 from pathlib import Path
 
 import pytest
 
 from tests.own_scenes import FACTORS, SCENES, OwnScene
+from tests.scene_files import scene_file, solved_items
 from variantgen.cli import main
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import task_of
@@ -56,10 +56,8 @@ def test_answers_and_solutions_do_not_depend_on_the_unit(name, parameters, tmp_p
 
 def test_the_scene_of_the_guide(tmp_path, capsys):
     guide = (Path(__file__).parents[2] / "catalog" / "README.md").read_text(encoding="utf-8")
-    path = tmp_path / "wheel_and_rod.toml"
-    path.write_text(guide.split("```toml scene\n")[1].split("```")[0], encoding="utf-8")
-    assert main(["solve", str(path), "--json"]) == 0
-    found = {item["quantity"]: item for item in json.loads(capsys.readouterr().out)["answers"]}
+    path = scene_file(tmp_path, guide.split("```toml scene\n")[1].split("```")[0])
+    found = solved_items(path, capsys)
     # x = 60 cos beta, beta = 40 deg, shrinks at 30 cm/s, which grows by 20 cm/s^2.
     turn = 30 / (60 * math.sin(math.radians(40)))
     epsilon = (20 - 60 * turn**2 * math.cos(math.radians(40))) / (60 * math.sin(math.radians(40)))

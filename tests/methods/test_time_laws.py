@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.scene_files import scene_file
 from variantgen.cli import main
 
 ROLLING = """
@@ -55,8 +56,7 @@ rotation = { body = "OA", omega = "phi_dot", epsilon = "phi_ddot" }
 
 
 def _shown(text: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], lang: str = "en") -> str:
-    path = tmp_path / "scene.toml"
-    path.write_text(text, encoding="utf-8")
+    path = scene_file(tmp_path, text)
     assert main(["show", str(path), "--explain", "--lang", lang]) == 0, capsys.readouterr().err
     out = capsys.readouterr().out.replace("\N{NO-BREAK SPACE}", " ")
     return " ".join(unicodedata.normalize("NFC", out).split())

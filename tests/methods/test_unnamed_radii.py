@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from tests.scene_files import scene_file
 from variantgen.cli import main
 
 # A spool on an axle that moves level: one thread is pulled below at 10 cm, the other, at 15 cm below, is tied.
@@ -31,8 +32,7 @@ travel = { point = "T", v = 40, angle = 0 }
 
 
 def explained(text: str, folder, capsys: pytest.CaptureFixture[str]) -> str:
-    path = folder / "scene.toml"
-    path.write_text(text, encoding="utf-8")
+    path = scene_file(folder, text)
     assert main(["solve", str(path), "--explain"]) == 0
     return capsys.readouterr().out.replace("\N{NO-BREAK SPACE}", " ")
 

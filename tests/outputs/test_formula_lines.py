@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import json
 
+import pytest
 import typst
 
+from variantgen.exam.solution_paper import HEIGHT
 from variantgen.outputs.typst.formula_lines import COLUMN, Line, Row, in_lines
 from variantgen.outputs.typst.markup import Piece, piece
 from variantgen.outputs.typst.typesetter import typesetter
@@ -21,8 +23,14 @@ def shape(row: Row) -> list[tuple[float, int]]:
     return [(line.indent, sum(bool(markup) for _, _, markup in line.items)) for line in row.lines]
 
 
-def test_the_column_is_as_wide_as_the_template_says() -> None:
-    assert abs(COLUMN - 87 / (9.5 * 25.4 / 72)) < 1e-9
+def test_the_column_is_as_wide_as_that_of_the_template() -> None:
+    """Two columns and 6 mm between them on 180 mm, in em of 9.5 pt, as the engine has them."""
+    asked = '#import "solution.typ": column, em, text-height\n#metadata((column / em, text-height.mm())) <found>'
+    with typesetter() as engine:
+        (engine.root / "asked.typ").write_text(asked, "utf-8")
+        found = json.loads(typst.query(engine.root / "asked.typ", "<found>", field="value", one=True, root=engine.root))
+    assert found == pytest.approx([COLUMN, HEIGHT], rel=1e-9)
+    assert pytest.approx(87 / (9.5 * 25.4 / 72)) == COLUMN
 
 
 def test_what_has_room_is_on_one_line() -> None:

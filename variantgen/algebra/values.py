@@ -9,21 +9,16 @@ from variantgen.algebra.expression import Constant, Expression, Value
 
 def in_order(values: Iterable[Value], known: Collection[Value] = ()) -> list[Value]:
     """The values and all that they are computed from, each after those that it needs; without what is ``known``."""
-    wanted = [value for value in values if value not in known]
-    if not wanted:
-        return []
     found: dict[Value, None] = {}
-
-    def visit(value: Value) -> None:
-        for part in made_of(value):
-            if part not in found and part not in known:
-                visit(part)
-        found[value] = None
-
-    for value in wanted:
-        if value not in found:
-            visit(value)
+    _find(values, known, found)
     return list(found)
+
+
+def _find(values: Iterable[Value], known: Collection[Value], found: dict[Value, None]) -> None:
+    for value in values:
+        if value not in found and value not in known:
+            _find(made_of(value), known, found)
+            found[value] = None
 
 
 def made_of(value: Value) -> tuple[Value, ...]:

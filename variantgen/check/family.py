@@ -29,7 +29,7 @@ def check_family(name_or_path: str, seeds: int = 200, folders: tuple[Path, ...] 
     family = load_family(name_or_path, folders)
     report = Report(family.name)
     _check_cases(family, report)
-    if family.folder is not None or any(form.grid_size > 1 for form in family.forms.values()):
+    if not family.is_scene or any(form.grid_size > 1 for form in family.forms.values()):
         check_languages(family, report)
         for form in family.forms.values():
             check_form(family, form, seeds, report)
@@ -41,7 +41,7 @@ def check_family(name_or_path: str, seeds: int = 200, folders: tuple[Path, ...] 
 
 def _check_cases(family: Family, report: Report) -> None:
     cases = load_cases(family)
-    if not cases and family.folder is not None:
+    if not cases and not family.is_scene:
         report.remark(_NO_CASES)
     for case in cases:
         if not case.exact:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import replace
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 from typing import Any
 
 from variantgen.algebra.expression import (
@@ -26,9 +26,78 @@ from variantgen.families.parameters.units import LENGTHS
 # What stands in the place of a part of an expression at a place of the file ("points.A.polar.distance"), or None.
 Change = Callable[[Expression, str], Expression | None]
 _LENGTHS = {*LENGTHS, "inch"}
-_MEASURES = (
-    "length", "velocity", "acceleration", "angle", "angular velocity", "angular acceleration", "time",
-)  # fmt: skip
+SI = {
+    "length": "m", "velocity": "m/s", "acceleration": "m/s^2", "angle": "rad", "angular velocity": "rad/s",
+    "angular acceleration": "rad/s^2", "time": "s",
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class FileNumber:
+    """A number of a file, in all places that have it: its value there (SI), and what it measures ("" nothing).
+
+    ``places`` count the numbers of the file in the order of :func:`changed_numbers`, ``names`` are as the file names
+    them. The values differ in sign at most.
+    """
+
+    values: tuple[float, ...]
+    measures: str
+    places: tuple[int, ...]
+    names: tuple[str, ...]
+
+    @property
+    def value(self) -> float:
+        """The value in the first of the places."""
+        return self.values[0]
+
+    @property
+    def apart(self) -> list[FileNumber]:
+        """The same number place by place."""
+        every = zip(self.values, self.places, self.names, strict=True)
+        return [FileNumber((value,), self.measures, (place,), (name,)) for value, place, name in every]
+
+
+def file_numbers(form: Form, left_out: frozenset[str], leave: Callable[[float, str, str], bool]) -> list[FileNumber]:
+    """The numbers that stand in a file, those of one size and measure together, but what is to ``leave``.
+
+    That is asked with the value, what it measures and the place; zeros have nothing to do with each other.
+    """
+    found: dict[tuple[float, str, int], list[tuple[int, float, str]]] = {}
+    count = 0
+
+    def note(part: Expression, place: str) -> Expression | None:
+        nonlocal count
+        size = number_of(part)
+        if size is None:
+            return None
+        if not leave(*size, place):
+            value, measures = size
+            key = (float(f"{abs(value):.12g}"), measures, 0 if value else count)
+            found.setdefault(key, []).append((count, value, place))
+        count += 1
+        return part
+
+    changed_numbers(form, note, left_out)
+    numbers = []
+    for (_, measures, _), own in found.items():
+        places, values, names = zip(*own, strict=True)
+        numbers.append(FileNumber(values, measures, places, names))
+    return numbers
+
+
+def with_numbers(form: Form, left_out: frozenset[str], other: Mapping[int, Callable[[float, str], Expression]]) -> Form:
+    """The form with something else in the place of some numbers, made of their value and what they measure."""
+    count = 0
+
+    def change(part: Expression, place: str) -> Expression | None:
+        nonlocal count
+        size = number_of(part)
+        if size is None:
+            return None
+        count += 1
+        return other[count - 1](*size) if count - 1 in other else part
+
+    return changed_numbers(form, change, left_out)
 
 
 def number_of(part: Expression) -> tuple[float, str] | None:
@@ -38,7 +107,7 @@ def number_of(part: Expression) -> tuple[float, str] | None:
     """
     match part:
         case Constant(value, measures):
-            return value, measures if measures in _MEASURES else ""
+            return value, measures if measures in SI else ""
         case Times((factor, Variable(name))) if name == "deg" or name in _LENGTHS:
             if not any(isinstance(own, Variable) for own in walk(factor)):
                 return float(FamilyExpression("", part).value({})), "angle" if name == "deg" else "length"

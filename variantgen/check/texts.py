@@ -41,7 +41,7 @@ def check_languages(family: Family, report: Report) -> None:
     for where, message in family_words(family):
         report.remark(f"{where}: {message}")
     for name in languages():
-        if not family.titles.get(name) and family.folder is not None:
+        if not family.titles.get(name) and not family.is_scene:
             report.fail(f'none in the language {name}; write title = {{ {name} = "..." }}', "title")
         known = load_phrases(name).bodies
         for noun in sorted({noun for form in family.forms.values() for noun in form.nouns.values()} - set(known)):
@@ -50,7 +50,7 @@ def check_languages(family: Family, report: Report) -> None:
 
 def check_texts(variants: Sequence[Variant], motion: Motion, report: Report) -> None:
     """Statements in every language and figures of the first variants of a form, and whether all of them agree."""
-    if variants[0].family.folder is None:
+    if variants[0].family.is_scene:
         return  # a one-off scene file has no statement
     asked = [parse_quantity(text, variants[0].form.sample) for text in variants[0].form.ask]
     for name in languages():
@@ -115,7 +115,7 @@ def _where(variant: Variant, place: int) -> str:
 
 def check_quantities(variant: Variant, report: Report) -> None:
     """The statement and the figure of a variant for each single quantity that may be asked."""
-    if variant.family.folder is None:
+    if variant.family.is_scene:
         return
     form = variant.form
     given = {parameter.symbol for parameter in form.parameters.values() if parameter.given}

@@ -1,66 +1,42 @@
-"""Numbers of a form that no sheet tells and on which what is asked depends: such a problem cannot be solved.
+"""Numbers of a file that its sheets leave open and on which what is asked depends: such a problem cannot be solved.
 
 Every number that stands in the file itself, in points, conditions, joints, drivers and what is derived, is changed a
-little while everything that is printed stays; what follows from it follows, and the mechanism is solved anew. Numbers
-of the same size and measure are taken for one that stands in several places, and changed together.
+little, one after the other, while the parameters stay; what follows from it follows, the mechanism is solved and the
+sheet is read anew. The sheet may state other numbers in their place: the sides of a triangle for a place on a plate. So
+a change of several numbers together that leaves the whole sheet as it is must leave every answer as it is: with the
+rates J of what is printed, and K of what is asked, ``J n = 0`` demands ``K n = 0``.
 
-Some numbers are told in words and are left alone: whole ones and quarters without a unit ("the midpoint", the 2 of a
-formula), right angles, their halves, and the angle of an equilateral triangle.
-
-Of a scene, which has no words of its own, :mod:`variantgen.check.scene_numbers` asks the same in another way.
+The statement of a family is in the words of its author, which stay as they are: a number that stands in them in every
+language is told. Whole ones and quarters without a unit ("the midpoint", the 2 of a formula), right angles, their
+halves, and the angle of an equilateral triangle are told in other words. The sheet of a scene is made by the program;
+what is not on it, its figure may tell.
 """
 
 from __future__ import annotations
 
 import math
-import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from decimal import Decimal
 
 import numpy as np
-from numpy.typing import NDArray
 
-from variantgen.algebra.expression import (
-    Expression,
-    Total,
-    Variable,
-)
-from variantgen.check.form_numbers import changed_numbers, number_of
-from variantgen.check.scene_numbers import undetermined
-from variantgen.check.statement_reading import read_sheet
+from variantgen.algebra.expression import Constant, Expression
+from variantgen.check.answer_rates import CHANGE, AnswerRates, Numbers
+from variantgen.check.form_numbers import SI, FileNumber, file_numbers, with_numbers
+from variantgen.check.sheet_numbers import numbers_in_words, printed_numbers, sheet_rates
 from variantgen.families.family import Form
-from variantgen.families.parameters.parameter import Parameter
-from variantgen.families.parameters.units import LENGTHS, UNITS, unit
-from variantgen.families.quantities import Quantity, motion_order, parse_quantity
-from variantgen.mechanism.outcome import Outcome
+from variantgen.families.parameters.units import unit
+from variantgen.families.quantities import Quantity, parse_quantity
 from variantgen.resources import languages
 from variantgen.variants.variant import Variant, solve_variants
-from variantgen.wording.language import Language, load_language
-from variantgen.wording.statement import Statement, statement
+from variantgen.wording.language import load_language
 
-_LENGTHS = {*LENGTHS, "inch"}
-_CHANGE = 1e-3  # relative: so much a number is changed
-_NOTHING = 1e-6  # relative: what rounding changes in an answer
-_ROUNDING = 1e-9  # relative to the largest answer in the same unit
 _EQUAL = 1e-9
+_OPEN = 0.02  # of the largest rate of an answer: what the six digits of a sheet leave undecided
+_RANK = 5e-3  # of the largest singular value
 _IN_WORDS = (math.pi / 4, math.pi / 3)  # angles whose multiples are told in words: right angles, equilateral triangles
 _QUARTERS = 4
 _PLACES = 3  # that are named
-_SI = {
-    "length": "m", "velocity": "m/s", "acceleration": "m/s^2", "angle": "rad", "angular velocity": "rad/s",
-    "angular acceleration": "rad/s^2", "time": "s",
-}  # fmt: skip
-_DECIMAL = re.compile(r"\d+[.,]\d+")
-
-
-@dataclass(frozen=True)
-class _Number:
-    """A number of a file: its absolute value (SI), what it measures ("" nothing), the places where it stands."""
-
-    value: float
-    measures: str
-    places: list[str]
 
 
 @dataclass(frozen=True)
@@ -81,39 +57,26 @@ def untold_numbers(variants: Sequence[Variant], asked: Sequence[Quantity]) -> It
     Raises InputError if a statement is missing or faulty.
     """
     family, names = variants[0].family, {quantity.name for quantity in asked}
-    if family.folder is None:
-        for own, dependent in undetermined(variants[0], asked):
-            yield Untold(
-                own.place,
-                _message(_written(own.value, own.measures, family.length_unit), dependent, True),
-                True,
-            )
+    if family.is_scene:
+        left_out, numbers = _laws(variants[0].form), _numbers_of_scene(variants[0])
+    else:
+        asked = _askable(variants[0], asked)
+        left_out, numbers = frozenset[str](), _numbers_of_family(variants, asked)
+    if not numbers:
         return
-    asked = _askable(variants[0], asked)
-    form, found = _with_numbers(variants[0].form)
-    if not found:
-        return
-    sheets_of = [[_told(variant, asked, load_language(name)) for name in languages()] for variant in variants]
-    for name, number in found.items():
-        seen = [
-            variant
-            for variant, sheets in zip(variants, sheets_of, strict=True)
-            if not all(_is_said(number, sheet) for sheet in sheets)
-        ]
-        changed = _changed_answers(form, found, name, seen, asked) if seen else []
-        if changed:
-            wrong = [name for name in changed if name in names]
-            written = _written(number.value, number.measures, family.length_unit)
-            yield Untold(
-                ", ".join(number.places[:_PLACES]), _message(written, wrong or changed, bool(wrong)), bool(wrong)
-            )
+    for number, changed in _dependent(variants, left_out, numbers, asked):
+        wrong = [name for name in changed if name in names]
+        value = number.value if family.is_scene else abs(number.value)
+        written = _written(value, number.measures, family.length_unit)
+        places = ", ".join(list(dict.fromkeys(number.names))[:_PLACES])
+        yield Untold(places, _message(written, wrong or changed, bool(wrong)), bool(wrong))
 
 
 def _written(value: float, measures: str, length_unit: str) -> str:
     """A number with its unit, for a message."""
     if not measures:
         return f"{value:.6g}"
-    own = unit({"length": length_unit, "angle": "deg"}.get(measures, _SI[measures]))
+    own = unit({"length": length_unit, "angle": "deg"}.get(measures, SI[measures]))
     return f"{own.from_si(value):.6g} {own.name}"
 
 
@@ -132,87 +95,122 @@ def _askable(variant: Variant, asked: Sequence[Quantity]) -> list[Quantity]:
     return [*asked, *(parse_quantity(name, form.sample) for name in further)]
 
 
-def _changed_answers(
-    form: Form, found: Mapping[str, _Number], name: str, variants: Sequence[Variant], asked: Sequence[Quantity]
-) -> list[str]:
-    """Names of the asked quantities that change with a number."""
-    whole = {other: Decimal(repr(number.value)) for other, number in found.items()}
-    moved = {**whole, name: whole[name] * (1 + Decimal(repr(_CHANGE)))}
-    batch = [replace(v, form=form, printed={**v.printed, **own}) for own in (whole, moved) for v in variants]
-    motion = solve_variants(batch, motion_order(asked))
-    solved = (motion.outcome == Outcome.SOLVED).reshape(2, -1).all(axis=0)
-    values = {q: np.reshape(q.value(motion), (2, -1)) for q in asked}
-    sizes: dict[str, float] = {}
-    for q, both in values.items():
-        largest = float(np.max(np.abs(both[:, solved]), initial=0.0, where=np.isfinite(both[:, solved])))
-        sizes[q.unit("m").name] = max(sizes.get(q.unit("m").name, 0.0), largest)
-    return [q.name for q, both in values.items() if np.any(_differs(q, both[:, solved], sizes[q.unit("m").name]))]
+def _numbers_of_family(variants: Sequence[Variant], asked: Sequence[Quantity]) -> list[FileNumber]:
+    """The numbers of a file that the words of some variant do not say; one in several places is one and the same."""
+
+    def is_in_other_words(value: float, measures: str, _: str) -> bool:
+        if measures == "angle":
+            return any(_is_multiple(value, step) for step in _IN_WORDS)
+        return value == 0 or (not measures and (_QUARTERS * value).is_integer())
+
+    found = file_numbers(variants[0].form, frozenset(), is_in_other_words)
+    if not found:
+        return []
+    sheets = [numbers_in_words(variant, asked, load_language(name)) for variant in variants for name in languages()]
+    return [number for number in found if not all(_is_said(number, sheet) for sheet in sheets)]
 
 
-def _differs(quantity: Quantity, values: NDArray[np.float64], size: float) -> NDArray[np.bool_]:
-    """Whether an answer before and after, the rows of ``values``, is another one.
+def _is_said(number: FileNumber, said: Sequence[tuple[float, str]]) -> bool:
+    size = abs(number.value)
+    return any(number.measures == measures and abs(size - value) <= _EQUAL * size for value, measures in said)
 
-    ``size`` is that of all answers in the same unit: beside it an answer of zero is rounding.
+
+def _numbers_of_scene(variant: Variant) -> list[FileNumber]:
+    """The numbers of a scene that its figure does not tell: right angles, sides, and zeros but those of coordinates.
+
+    The figure shows also that a wheel touches right below, above or beside its centre. Laws of time stand on the sheet
+    as they are.
     """
-    with np.errstate(invalid="ignore"):  # what has no value is infinite, before and after
-        change = values[1] - values[0]
-        if quantity.is_angle:
-            return np.asarray(np.abs(np.angle(np.exp(1j * change))) > _NOTHING)
-        return np.asarray(np.abs(change) > _NOTHING * np.abs(values[0]) + _ROUNDING * size)
+    motion = solve_variants([variant], 0)
+    shown = set()
+    for template in variant.form.joints:
+        if {"centre", "contact"} <= template.fields.keys():
+            contact = template.fields["contact"]
+            arm = complex(motion.z[contact][0] - motion.z[template.fields["centre"]][0])
+            shown |= {
+                f"points.{contact}.coordinates.{axis}"
+                for axis, across in (("x", arm.real), ("y", arm.imag))
+                if abs(across) < _EQUAL * motion.length_scale()[0]
+            }
+
+    def is_in_figure(value: float, measures: str, place: str) -> bool:
+        if measures == "angle":
+            return _is_multiple(value, math.pi / 2)
+        zero = value == 0 and ".coordinates." not in place
+        return zero or place.endswith((".side", ".branch")) or place in shown
+
+    return file_numbers(variant.form, _laws(variant.form), is_in_figure)
 
 
-def _told(variant: Variant, asked: Sequence[Quantity], language: Language) -> list[tuple[float, str]]:
-    """The numbers that the sheet of a variant tells beside parameters: absolute values in SI and what they measure."""
-    said = statement(variant, asked, language)
-    sheet = read_sheet(said, variant.form, language)
-    return [(abs(number.value), number.measures) for number in sheet.numbers] + _plain_decimals(said)
+def _is_multiple(angle: float, step: float) -> bool:
+    return abs(math.remainder(angle, step)) < _EQUAL
 
 
-def _plain_decimals(said: Statement) -> list[tuple[float, str]]:
-    """Decimals in the text, as those of ratios."""
-    texts = [part for part in said.text if isinstance(part, str)]
-    return [(float(number.replace(",", ".")), "") for text in texts for number in _DECIMAL.findall(text)]
+def _laws(form: Form) -> frozenset[str]:
+    return frozenset(f"{law}{order}" for law in form.laws for order in ("", "_dot", "_ddot"))
 
 
-def _is_said(number: _Number, said: Sequence[tuple[float, str]]) -> bool:
-    return any(
-        number.measures == measures and abs(number.value - value) <= _EQUAL * number.value for value, measures in said
-    )
+def _dependent(
+    variants: Sequence[Variant], left_out: frozenset[str], numbers: Sequence[FileNumber], asked: Sequence[Quantity]
+) -> Iterator[tuple[FileNumber, list[str]]]:
+    """The numbers on which answers depend and that the sheets of some variant leave open, with those answers."""
+    answers = AnswerRates(variants, left_out, asked)
+    # The sheet of a scene tells each place by itself, unless the mechanism contradicts itself if they differ.
+    apart = [number.apart if variants[0].family.is_scene else [] for number in numbers]
+    tried = [own for number, parts in zip(numbers, apart, strict=True) for own in (*parts, number)]
+    rates, solved = answers.of(tried)
+    order = {own: place for place, own in enumerate(tried)}
+    chosen = [
+        order[own]
+        for number, parts in zip(numbers, apart, strict=True)
+        for own in (parts if parts and all(np.all(solved[order[part]]) for part in parts) else [number])
+        if np.any(solved[order[own]])
+    ]
+    if not chosen or not np.any(rates[:, chosen]):
+        return
+    open_for = np.zeros((len(asked), len(chosen)), dtype=bool)
+    for place, variant in enumerate(variants):
+        sheet = _sheet(variant, left_out, [tried[i] for i in chosen], asked, answers.sizes[place])
+        sought = rates[:, chosen, place]
+        left = np.abs(sought @ _null_space(sheet))
+        undecided = _OPEN * np.max(np.abs(sought), axis=1, initial=0.0, keepdims=True) * bool(np.any(sheet))
+        open_for |= (left > undecided) & (left > answers.least[:, place, None])
+    for column, number in enumerate(chosen):
+        names = [q.name for q, is_open in zip(asked, open_for[:, column], strict=True) if is_open]
+        if names:
+            yield tried[number], names
 
 
-def _with_numbers(form: Form) -> tuple[Form, dict[str, _Number]]:
-    """The form with its own numbers as further parameters."""
-    found: dict[str, _Number] = {}
-    known: dict[tuple[float, str], str] = {}
+def _sheet(
+    variant: Variant, left_out: frozenset[str], numbers: Sequence[FileNumber], asked: Sequence[Quantity], size: float
+) -> Numbers:
+    """The rates of what is printed, shape (printed numbers, numbers of the file)."""
+    language = load_language(languages()[0])
 
-    def change(part: Expression, place: str) -> Expression | None:
-        size = _size(part)
-        if size is None:
-            return None
-        value, measures = size
-        key = (float(f"{abs(value):.12g}"), measures)
-        name = known.setdefault(key, f"number {len(known) + 1}")  # no name of a file has a space
-        places = found.setdefault(name, _Number(abs(value), measures, [])).places
-        if place not in places:
-            places.append(place)
-        return Total(((1 if value > 0 else -1, Variable(name)),))
+    def changed(number: FileNumber, by: float) -> dict[str, float]:
+        def moved(value: float, measures: str) -> Expression:
+            return Constant(value + by * (value or size), measures)
 
-    changed = changed_numbers(form, change)
-    further = {
-        name: Parameter(name, UNITS[_SI.get(number.measures, "1")], (Decimal(repr(number.value)),), symbol=name)
-        for name, number in found.items()
-    }
-    return replace(changed, parameters={**form.parameters, **further}), found
+        form = with_numbers(variant.form, left_out, dict.fromkeys(number.places, moved))
+        return printed_numbers(replace(variant, form=form), asked, language)
 
-
-def _size(part: Expression) -> tuple[float, str] | None:
-    """The value (SI) of a part of an expression that is one number of the file, and what it measures; else None."""
-    size = number_of(part)
-    return None if size is None or _needs_no_number(*size) else size
+    here = printed_numbers(variant, asked, language)
+    rates = [
+        found
+        if (found := sheet_rates(changed(number, CHANGE), changed(number, -CHANGE), here, CHANGE)) is not None
+        else {f"another datum by {i}": 1.0}
+        for i, number in enumerate(numbers)
+    ]
+    lines = dict.fromkeys(name for own in rates for name in own)
+    return np.array([[own.get(name, 0.0) for own in rates] for name in lines]).reshape(len(lines), len(numbers))
 
 
-def _needs_no_number(value: float, measures: str) -> bool:
-    """Whether nothing need be told, or words do: zero, whole numbers and quarters, right angles and the like."""
-    if measures == "angle":
-        return any(abs(math.remainder(value, step)) < _EQUAL for step in _IN_WORDS)
-    return value == 0 or (not measures and (_QUARTERS * value).is_integer())
+def _null_space(rows: Numbers) -> Numbers:
+    """The projection on what the rows do not see, shape (numbers, numbers)."""
+    largest = np.max(np.abs(rows), axis=1, initial=0.0, keepdims=True)
+    seen = (rows / np.where(largest > 0, largest, 1.0))[largest[:, 0] > 0]
+    if not len(seen):
+        return np.eye(rows.shape[1])
+    _, sizes, ways = np.linalg.svd(seen)
+    rank = int(np.sum(sizes > _RANK * sizes[0]))
+    return np.asarray(ways[rank:].T @ ways[rank:])

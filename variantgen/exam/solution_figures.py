@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from variantgen.errors import InputError
+from variantgen.exam.solution_paper import COLUMN, WIDTH
 from variantgen.families.quantities import Quantity, split_name
 from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import LETTER, Drawing
@@ -37,9 +38,8 @@ _STATEMENT_UNIT, _SMALLEST, _UNIT, _LARGEST = 0.62, 0.5, 0.83, 1.05
 # mm: a column of the text, which figures fill if they become no higher than this; how high those are that would.
 _WIDE, _HIGH, _TALL = 86.0, 96.0, 88.0
 _PLAN_UNIT = MILLIMETRES  # mm per unit of a plan: lengths that the text tells are measured in it
-_COLUMN = 87.0  # mm: no figure is wider
 _POINTS = 72 / 25.4  # in a millimetre
-_WIDTH, _GUTTER = 180.0, 4.0  # mm
+_BETWEEN = 4.0  # mm: figures in a row
 
 
 @dataclass(frozen=True)
@@ -177,7 +177,7 @@ class SolutionFigures:
         """The scale of the statement's figure in a row, mm per unit: the others have theirs."""
         taken = sum(self._unit(name) * self._width(name) for name in row if name != STATEMENT)
         free = sum(self._width(name) for name in row if name == STATEMENT)
-        room = _WIDTH - _GUTTER * (len(row) - 1) - taken
+        room = WIDTH - _BETWEEN * (len(row) - 1) - taken
         return min(_STATEMENT_UNIT, room / free) if free else (_STATEMENT_UNIT if room >= 0 else 0.0)
 
     def _fit(self, row: Sequence[str]) -> bool:
@@ -196,7 +196,7 @@ class SolutionFigures:
         unit = _WIDE / drawing.width
         if unit * drawing.height > _HIGH:
             unit = min(unit, _TALL / drawing.height)
-        return round(min(max(_UNIT, min(_LARGEST, unit)), _COLUMN / drawing.width), 3)
+        return round(min(max(_UNIT, min(_LARGEST, unit)), COLUMN / drawing.width), 3)
 
 
 def solution_figure_faults(

@@ -12,10 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.families.parameters.expressions import FamilyExpression
-from variantgen.families.ways import Ways
 from variantgen.mechanism.arithmetic import Real
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.scene import Scene
+from variantgen.mechanism.turn.timed_places import TimedPlaces
 
 
 @dataclass(frozen=True)
@@ -130,7 +130,7 @@ class FormByPlace:
         return self._ways.end
 
     @cached_property
-    def _ways(self) -> Ways:
+    def _ways(self) -> TimedPlaces:
         size = max(np.size(value) for value in (*self.parameters.values(), self.first, self.last))
         first, last = (
             np.array(np.broadcast_to(np.asarray(end, dtype=float), (size,))) for end in (self.first, self.last)
@@ -141,7 +141,7 @@ class FormByPlace:
             velocity, acceleration = self.rates(data, places)
             return np.broadcast_to(velocity, places.shape), np.broadcast_to(acceleration, places.shape)
 
-        return Ways(rates, first, last)
+        return TimedPlaces(rates, first, last)
 
     def at(self, variants: NDArray[np.intp], times: NDArray[np.float64]) -> Scene:
         """The scenes of variants at instants (s), shape (M,) each, as one batch."""

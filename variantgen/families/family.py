@@ -218,6 +218,11 @@ class Family:
         return f"<Family {self.name}: {', '.join(map(repr, self.forms.values()))}>"
 
     @property
+    def is_scene(self) -> bool:
+        """Whether it is a mechanism of a file by itself, without a statement: the program makes its sheet."""
+        return self.folder is None
+
+    @property
     def nice_forms(self) -> list[str]:
         """Names of the forms that have hand-friendly variants."""
         return [name for name, form in self.forms.items() if form.nice.possible]

@@ -47,7 +47,7 @@ def in_unit(family: Family, length: str) -> Family:
 
     Raises InputError for a scene file, whose numbers are what they are, and for a unit that the family does not offer.
     """
-    if family.folder is None:
+    if family.is_scene:
         remedy = f'write length_unit = "{length}" and the numbers with their units in the file'
         raise InputError(Problem("a scene has the units of its file", key="units", value=length, remedy=remedy))
     if family.units and length not in family.units:

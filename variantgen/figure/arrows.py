@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import MEDIUM, Layer
 from variantgen.figure.obstacles import lanes_met
+from variantgen.figure.placement.choices import GAP
 from variantgen.figure.placement.label_requests import along_arrow, label_size
-from variantgen.figure.placement.labels import GAP
 from variantgen.wording.formula import Symbol
 
 _LENGTHS = (11.0, 8.8)  # of velocities, of accelerations, u

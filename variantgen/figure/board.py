@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from copy import copy
 from dataclasses import dataclass, field
-from functools import cached_property
 from typing import Self
 
 from variantgen.families.family import Form
@@ -23,13 +22,13 @@ from variantgen.wording.language import Language
 class Board:
     """The drawing board of one figure.
 
-    ``scene`` holds the numbers of one variant (scalars), ``shown`` its named points, ``given`` the parameters that are
-    marked, ``discs`` the radii (u) of the circles drawn of each body, ``poses`` the directions (rad) in which the
+    ``linkage`` has the numbers of one variant (scalars), ``shown`` are its named points, ``given`` the parameters that
+    are marked, ``discs`` the radii (u) of the circles drawn of each body, ``poses`` the directions (rad) in which the
     supports of fixed points stand, ``grounds`` the ends of the ground lines of guides by their points.
     """
 
     sketch: Sketch
-    scene: Scene
+    linkage: Linkage
     form: Form
     language: Language
     shown: tuple[str, ...]
@@ -45,10 +44,10 @@ class Board:
         """How the scene lies on paper."""
         return self.scene.frame
 
-    @cached_property
-    def linkage(self) -> Linkage:
-        """The mechanism as a reader sees it."""
-        return Linkage(self.scene)
+    @property
+    def scene(self) -> Scene:
+        """The joints and drivers with their numbers."""
+        return self.linkage.scene
 
     @property
     def fixed(self) -> frozenset[str]:

@@ -23,6 +23,7 @@ from variantgen.figure.marks import draw_angle, draw_disc_name, draw_length, dra
 from variantgen.figure.placement.label_requests import around
 from variantgen.figure.sketch import DOT, HINGE, Sketch
 from variantgen.figure.symbols.gears import contour
+from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import Motion, take_scene
 from variantgen.mechanism.rows import Constraint
 from variantgen.mechanism.scene import Scene
@@ -104,6 +105,11 @@ class Mechanism:
         """The numbers of the variant; a figure needs no constructions: where points are is known."""
         return take_scene(replace(self.motion.scene, points={}, conditions=()), self.index, self.motion.size)
 
+    @cached_property
+    def linkage(self) -> Linkage:
+        """The mechanism as a reader sees it."""
+        return Linkage(self.scene)
+
     def board(
         self,
         marks: bool = True,
@@ -148,13 +154,13 @@ class Mechanism:
         sketch = Sketch({name: scale * place for name, place in self.places.items()}, scale)
         given = frozenset(given_names(self.variant, asked)) if marks else frozenset()
         second = any(quantity.order == 2 for quantity in asked)
-        board = Board(sketch, self.scene, form, self.language, self.shown, second, given)
+        board = Board(sketch, self.linkage, form, self.language, self.shown, second, given)
         board.poses.update(poses)
         on_paper = [radius * scale for radius in self.radii]
         _draw_mechanism(board, on_paper, marks)
         if most == math.inf or _excess(sketch) <= most:
             _draw_data(board, on_paper, marks)
-            if marks and self.variant.family.folder is None:
+            if marks and self.variant.family.is_scene:
                 for point, angle in guide_inclinations(self.variant, asked, self.language):
                     draw_guide_angle(board, point, angle)
             seen = [*asked, *map(split_name, form.figure.sketch)]

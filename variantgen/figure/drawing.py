@@ -119,8 +119,9 @@ class Drawing:
 
     A place z (m) on paper is drawn at ``scale * z + origin``. ``language`` is that of the words. ``beyond`` are the
     letters of points to which lines lead that lie outside the paper. ``lengthened`` says that a vector is drawn longer
-    than to scale, so that it is seen. ``rotations`` are the arcs of rotation among the lines. ``graphs`` is the height
-    of graphs below the figure of the mechanism. ``poses`` are the directions (rad) in which its supports stand.
+    than to scale, so that it is seen, ``doubtful`` that a label may be hard to read: of others it is known that they
+    have room. ``rotations`` are the arcs of rotation among the lines. ``graphs`` is the height of graphs below the
+    figure of the mechanism. ``poses`` are the directions (rad) in which its supports stand.
     """
 
     width: float
@@ -133,6 +134,7 @@ class Drawing:
     language: str = "en"
     beyond: tuple[Symbol, ...] = ()
     lengthened: bool = False
+    doubtful: bool = True
     rotations: tuple[RotationArc, ...] = ()
     graphs: float = 0.0
     poses: Mapping[str, float] = field(default_factory=dict, compare=False)

@@ -127,10 +127,11 @@ def gaps_to_box(
 ) -> NDArray[np.float64]:
     """Distance of each segment from a box (zero where they cross), shape (S,).
 
-    Of several boxes at once with places and half sides of the shape (P, 1): shape (P, S).
+    Of several boxes at once with places and half sides of the shape (P, 1): shape (P, S); the segments may be others
+    for each box, shape (P, S, 2).
     """
     hx, hy = half_sides
-    start, end = segments[:, 0] - place, segments[:, 1] - place
+    start, end = segments[..., 0] - place, segments[..., 1] - place
     step_x, step_y = end.real - start.real, end.imag - start.imag
     # Ends of the segments to the box, corners of the box to the segments: the nearest pair is one of these.
     ends = np.array((start, end))

@@ -5,12 +5,12 @@ The constants are those of the OpenType math table of New Computer Modern Math. 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 from typing import NamedTuple
 
-from variantgen.figure.glyphs import Glyph, glyph, has_glyph, kerning
+from variantgen.figure.glyphs import STRETCHED, Glyph, glyph, has_glyph, kerning
 from variantgen.wording.formula import GREEK, Index, letters
 
 _INDEX_DOWN, _POWER_UP, _POWER_UP_CRAMPED, _LEAST_GAP, _AFTER = 0.247, 0.363, 0.289, 0.16, 0.056
@@ -19,7 +19,33 @@ _POWER_BOTTOM = 0.344  # a power over an index is raised alone until its ink is 
 WORD_SPACE = 0.331
 INDEX = 0.7  # size of an index in that of its letter
 SCALE = (1.0, INDEX, 0.5)  # of the sizes of formula, index, index of an index
+_NEAR = 1e-9  # what rounding leaves
 UNKNOWN = "0u"  # the name of what stands for a letter that the table does not have: a degree sign
+
+
+@dataclass(frozen=True, eq=False)
+class Letters:
+    """Letters of one style that follow each other as the engine spaces them: glyphs and places from the first one.
+
+    Made once and set in many formulas.
+    """
+
+    glyphs: tuple[Glyph, ...]
+    places: tuple[float, ...]
+    bottom: float
+    top: float
+
+    @property
+    def end(self) -> float:
+        """Where the next letter would follow."""
+        return self.places[-1] + self.glyphs[-1].advance
+
+
+class PlacedLetters(NamedTuple):
+    """Letters with the place of the origin of the first one (em, baseline of the formula at 0)."""
+
+    letters: Letters
+    at: complex
 
 
 class PlacedGlyph(NamedTuple):
@@ -47,7 +73,7 @@ class Run:
     """
 
     def __init__(self, display: bool = False, cramped: bool = False, tall: bool = False) -> None:
-        self.glyphs: list[PlacedGlyph] = []
+        self.letters: list[PlacedLetters] = []
         self.bars: list[Bar] = []
         self.x = 0.0
         self.index_x = 0.0
@@ -59,15 +85,14 @@ class Run:
     @property
     def bottom(self) -> float:
         """The lowest ink."""
-        return min(
-            [at.imag + glyph.bottom for glyph, at in self.glyphs] + [at.imag - THICKNESS / 2 for at, _ in self.bars],
-            default=0.0,
-        )
+        bars = [at.imag - THICKNESS / 2 for at, _ in self.bars]
+        return min([at.imag + letters.bottom for letters, at in self.letters] + bars, default=0.0)
 
     @property
     def top(self) -> float:
         """The highest ink, and the room that a root has above it."""
-        tops = [at.imag + glyph.top for glyph, at in self.glyphs] + [at.imag + THICKNESS / 2 for at, _ in self.bars]
+        bars = [at.imag + THICKNESS / 2 for at, _ in self.bars]
+        tops = [at.imag + letters.top for letters, at in self.letters] + bars
         return max([*tops, self._highest] if self._highest else tops, default=0.0)
 
     def take_room(self, top: float) -> None:
@@ -76,7 +101,7 @@ class Run:
 
     def put(self, other: Run, at: complex) -> None:
         """Set what another run consists of at a place; the row does not grow."""
-        self.glyphs += [PlacedGlyph(glyph, own + at) for glyph, own in other.glyphs]
+        self.letters += [PlacedLetters(letters, own + at) for letters, own in other.letters]
         self.bars += [Bar(own + at, width) for own, width in other.bars]
         if other._highest:
             self.take_room(other._highest + at.imag)
@@ -90,45 +115,55 @@ class Run:
     def add(self, letter: str, level: int) -> None:
         """Set one letter of a formula (italic, Greek, a digit, a mark) at a level."""
         found = _formula_letter(letter, level)
-        self.glyphs.append(PlacedGlyph(found, complex(self.x, 0.0)))
+        self.sign(found)
         self.index_x = self.x + found.index_at
         self.x += found.width
 
     def words(self, text: str, level: int = 0) -> None:
         """Set upright text."""
-        letters, index_x, width = _words(text, level)
-        self.glyphs += [PlacedGlyph(glyph, complex(self.x + x, 0.0)) for glyph, x in letters]
+        words, index_x, width = _words(text, level)
+        self.letters += [PlacedLetters(letters, complex(self.x + x, 0.0)) for letters, x in words]
         self.index_x = self.x + index_x
         self.x += width
 
     def mark(self, right: float) -> None:
         """Set the arrow of a vector: a mark to the left of where it begins."""
-        self.glyphs.append(
-            PlacedGlyph(Glyph("0u\N{COMBINING RIGHT ARROW ABOVE}", 0.0, 0.0, 0.0, 0.5, 0.714, ""), complex(right, 0.0))
-        )
+        self.letters.append(PlacedLetters(_alone(_ARROW), complex(right, 0.0)))
+
+    def sign(self, glyph: Glyph, up: float = 0.0) -> None:
+        """Set one sign; the row does not grow."""
+        self.letters.append(PlacedLetters(_alone(glyph), complex(self.x, up)))
 
     def attach(self, index: Run, power: Run, level: int, top: float = 0.0) -> None:
         """Set what stands below and above to the right of the letters so far; ``top`` is that of parentheses before."""
         scale = SCALE[level]
         raised = _POWER_UP_CRAMPED if level or self.cramped else _POWER_UP
-        down = _INDEX_DOWN * scale if index.glyphs else 0.0
-        up = max(raised * scale, top - _POWER_DROP) if power.glyphs else 0.0
-        if index.glyphs and power.glyphs:
-            highest = max(p.at.imag + p.glyph.top for p in index.glyphs) - down
-            lowest = up + min(p.at.imag + p.glyph.bottom for p in power.glyphs)
+        down = _INDEX_DOWN * scale if index.letters else 0.0
+        up = max(raised * scale, top - _POWER_DROP) if power.letters else 0.0
+        if index.letters and power.letters:
+            highest = max(at.imag + letters.top for letters, at in index.letters) - down
+            lowest = up + min(at.imag + letters.bottom for letters, at in power.letters)
             apart = max(0.0, _LEAST_GAP * scale - (lowest - highest))
             alone = min(max(0.0, _POWER_BOTTOM * scale - lowest), apart)
             down, up = down + 0.5 * (apart - alone), up + 0.5 * (apart + alone)
         end = self.x
         for run, x, y in ((index, self.index_x, -down), (power, self.x, up)):
-            if run.glyphs:
+            if run.letters:
                 self.put(run, complex(x, y))
                 end = max(end, x + run.x + _AFTER * scale)
         self.x = self.index_x = end
 
 
+_ARROW = Glyph("0u\N{COMBINING RIGHT ARROW ABOVE}", 0.0, 0.0, 0.0, 0.5, 0.714, "")
+
+
+@cache
+def _alone(glyph: Glyph) -> Letters:
+    return Letters((glyph,), (0.0,), glyph.bottom, glyph.top)
+
+
 @lru_cache(maxsize=10_000)
-def _words(text: str, level: int) -> tuple[tuple[tuple[Glyph, float], ...], float, float]:
+def _words(text: str, level: int) -> tuple[tuple[tuple[Letters, float], ...], float, float]:
     """The letters of upright text with their places, where an index begins, the width.
 
     The engine takes a number of nothing but digits and points for a formula.
@@ -145,7 +180,28 @@ def _words(text: str, level: int) -> tuple[tuple[tuple[Glyph, float], ...], floa
         found.append((placed, x))
         index_x = x + placed.index_at
         x += placed.width
-    return tuple(found), index_x, x
+    return tuple(_together(found)), index_x, x
+
+
+def _together(row: Sequence[tuple[Glyph, float]]) -> Iterator[tuple[Letters, float]]:
+    """Glyphs in a row as letters that follow each other, with their places."""
+    start = 0
+    for end in range(1, len(row) + 1):
+        if end == len(row) or not follows(row[end - 1][0], row[end][0], row[end][1] - row[end - 1][1]):
+            glyphs, places = zip(*row[start:end], strict=True)
+            x, bottom, top = places[0], min(g.bottom for g in glyphs), max(g.top for g in glyphs)
+            yield Letters(glyphs, tuple(place - x for place in places), bottom, top), x
+            start = end
+
+
+def follows(one: Glyph, other: Glyph, apart: complex) -> bool:
+    """Whether a glyph stands where the engine would set it after another one, of the same style."""
+    if one.scale != other.scale or one.name[:2] != other.name[:2] or one.name[1] == STRETCHED:
+        return False
+    gap = one.advance
+    if one.name[1] == "u":
+        gap += one.scale * kerning(one.name[2:], other.name[2:])
+    return abs(gap - apart) < _NEAR
 
 
 @cache

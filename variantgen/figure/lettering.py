@@ -7,13 +7,13 @@ the lettering of the figure.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
 from variantgen.figure.drawing import LETTER, Label
 from variantgen.figure.glyphs import Glyph
-from variantgen.figure.letter_run import Bar, PlacedGlyph, Run, digits, script, set_name
+from variantgen.figure.letter_run import Bar, PlacedGlyph, PlacedLetters, Run, digits, script, set_name
 from variantgen.figure.tall_letters import enclosed, fraction, root
 from variantgen.wording.formula import (
     Absolute,
@@ -47,17 +47,25 @@ ARROWS = {"v": 0.558, "a": 0.551, "r": 0.511, "omega": 0.609}  # where the arrow
 
 @dataclass(frozen=True)
 class Lettering:
-    """A set formula: its glyphs and bars, its width, and the bounds of its ink above the baseline (em)."""
+    """A set formula: its letters and bars, its width, and the bounds of its ink above the baseline (em)."""
 
-    glyphs: tuple[PlacedGlyph, ...]
+    letters: tuple[PlacedLetters, ...]
     width: float
     bottom: float
     top: float
     bars: tuple[Bar, ...] = ()
 
+    @property
+    def glyphs(self) -> list[PlacedGlyph]:
+        """Its letters one by one."""
+        return [
+            PlacedGlyph(glyph, at + place)
+            for letters, at in self.letters
+            for glyph, place in zip(letters.glyphs, letters.places, strict=True)
+        ]
 
-@lru_cache(maxsize=10_000)
-def typeset(*formulas: Formula, display: bool = False) -> Lettering:
+
+def lettering(formulas: Iterable[Formula], display: bool = False) -> Lettering:
     """The lettering of formulas in a row; ``display`` as in a line of its own, with fractions of full size and roots.
 
     Raises TypeError for a kind that has no letters, as fractions in a line of text.
@@ -65,7 +73,13 @@ def typeset(*formulas: Formula, display: bool = False) -> Lettering:
     run = Run(display)
     for formula in formulas:
         _set(run, formula)
-    return Lettering(tuple(run.glyphs), run.x, run.bottom, run.top, tuple(run.bars))
+    return Lettering(tuple(run.letters), run.x, run.bottom, run.top, tuple(run.bars))
+
+
+@lru_cache(maxsize=10_000)
+def typeset(formula: Formula) -> Lettering:
+    """The lettering of a formula in a figure, which has many others with the same. Raises TypeError as above."""
+    return lettering((formula,))
 
 
 def letters_of(label: Label) -> list[tuple[Glyph, complex]]:
@@ -153,7 +167,7 @@ def _set_symbol(run: Run, symbol: Symbol, exponent: str = "", arrow: bool = Fals
         run.mark(run.x + ARROWS[symbol.base])
     set_name(run, symbol.base.removeprefix(ANGLE), 0)
     upper = script(symbol.upper, 1) if symbol.upper or symbol.part else above
-    if symbol.index or upper.glyphs:
+    if symbol.index or upper.letters:
         run.attach(script(symbol.index, 1), upper, 0)
     if symbol.part:
         run.add(")", 0)

@@ -13,8 +13,8 @@ from variantgen.families.figure_hints import AngleMark, DiscMark, LengthMark, Ri
 from variantgen.families.hints import DIRECTIONS
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import THIN, Arc, Layer
+from variantgen.figure.placement.choices import GAP
 from variantgen.figure.placement.label_requests import LabelRequest, along_arc, along_line, along_radius, label_size
-from variantgen.figure.placement.labels import GAP
 from variantgen.figure.symbols.gears import contour
 from variantgen.wording.formula import Symbol
 

@@ -4,40 +4,48 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.figure.ink import Sides, boxes_crossed_by, spans_of
+from variantgen.figure.drawing import Arc, Path
+from variantgen.figure.ink import Sides, boxes_crossed_by, corners_of, spans_of
+
+Outline: TypeAlias = Path | Arc | Sequence[complex]
+_SAGITTA = 0.12  # of the chords that stand for an arc, u
 
 
 @dataclass
 class Obstacles:
-    """The segments of all lines of a sketch, in the order in which they were drawn."""
+    """The segments of all lines of a sketch, in the order in which they were drawn; made when they are asked for."""
 
-    _starts: list[complex] = field(default_factory=list)
-    _ends: list[complex] = field(default_factory=list)
-    _weights: list[float] = field(default_factory=list)  # of the lines of these segments, u
+    _new: list[tuple[Outline, float]] = field(default_factory=list)  # with the weights of the lines, u
     _known: NDArray[np.complex128] = field(default_factory=lambda: np.zeros((0, 2), dtype=complex))
+    _weights: list[float] = field(default_factory=list)  # of the lines of these segments, u
     _spans: NDArray[np.float64] = field(default_factory=lambda: np.zeros((6, 0)))
 
-    def add(self, corners: Sequence[complex], weight: float) -> None:
-        """Add the segments from corner to corner of what stands for a line."""
-        self._starts += corners[:-1]
-        self._ends += corners[1:]
-        self._weights += [weight] * (len(corners) - 1)
+    def add(self, outline: Outline, weight: float) -> None:
+        """Add the segments that follow a line, or from corner to corner of what stands for it."""
+        self._new.append((outline, weight))
 
     def copied(self) -> Obstacles:
         """The same, to which others are added."""
-        return replace(self, _starts=[*self._starts], _ends=[*self._ends], _weights=[*self._weights])
+        self.segments()
+        return replace(self, _new=[], _weights=[*self._weights])
 
     def segments(self) -> NDArray[np.complex128]:
         """All segments, shape (S, 2)."""
-        known = len(self._known)
-        if known != len(self._ends):
-            new = np.array((self._starts[known:], self._ends[known:]), dtype=complex).T
-            self._known = np.concatenate((self._known, new))
+        if self._new:
+            starts: list[complex] = []
+            ends: list[complex] = []
+            for outline, weight in self._new:
+                corners = corners_of(outline, _SAGITTA) if isinstance(outline, Path | Arc) else outline
+                starts += corners[:-1]
+                ends += corners[1:]
+                self._weights += [weight] * (len(corners) - 1)
+            self._new.clear()
+            self._known = np.concatenate((self._known, np.array((starts, ends), dtype=complex).T))
         return self._known
 
     def crossings(self, places: Sequence[complex] | NDArray[Any], half_sides: tuple[Sides, Sides]) -> NDArray[np.int64]:

@@ -12,10 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Drawing, Label, Layer, Line, Path, RotationArc, Strokes
-from variantgen.figure.ink import Sides, corners_of
-from variantgen.figure.obstacles import Obstacles
+from variantgen.figure.ink import Sides
+from variantgen.figure.obstacles import Obstacles, Outline
 from variantgen.figure.placement.label_requests import LabelRequest
-from variantgen.figure.placement.labels import place_labels
+from variantgen.figure.placement.labels import Placed, WantedLabels, place_labels
 from variantgen.wording.formula import Symbol
 
 MARGIN = 1.5
@@ -23,7 +23,6 @@ HINGE = 1.1  # radius of a hinge circle, u
 DOT = 0.65  # radius of a marked point, u
 _HATCH_STEP, _HATCH_DEPTH = 1.15, 1.5
 _MOST_STROKES = 400
-_SAGITTA = 0.12  # of the chords that stand for an arc among the obstacles, u
 
 
 class Wall(NamedTuple):
@@ -72,15 +71,15 @@ class Sketch:
     def path(self, points: Iterable[complex], layer: Layer, weight: float = BOLD, **style: object) -> None:
         """Draw a polyline; it is an obstacle for labels."""
         line = Path(tuple(points), layer, weight, **style)  # type: ignore[arg-type]
-        self._add(line, corners_of(line))
+        self._add(line, line)
 
     def add(self, line: Line) -> None:
         """Draw a finished line; it is an obstacle for labels."""
-        self._add(line, *(line.segments if isinstance(line, Strokes) else (corners_of(line, _SAGITTA),)))
+        self._add(line, *(line.segments if isinstance(line, Strokes) else (line,)))
 
     def arc(self, arc: Arc) -> None:
         """Draw an arc or a circle; it is an obstacle for labels."""
-        self._add(arc, corners_of(arc, _SAGITTA))
+        self._add(arc, arc)
 
     def circle(self, centre: complex, radius: float, layer: Layer, weight: float = BOLD, fill: str = "") -> None:
         """Draw a circle."""
@@ -119,7 +118,7 @@ class Sketch:
             foot = centre + radius * ray
             strokes.append((foot, foot + _HATCH_DEPTH * (normal + 1j) * ray))
         far = Arc(centre, radius + normal * _HATCH_DEPTH, Layer.GROUND, start=start, sweep=sweep)
-        self._add(Strokes(tuple(strokes), Layer.GROUND), corners_of(far, _SAGITTA), strokes[0], strokes[-1])
+        self._add(Strokes(tuple(strokes), Layer.GROUND), far, strokes[0], strokes[-1])
 
     def arrow(
         self, start: complex, end: complex, layer: Layer = Layer.VECTOR, weight: float = BOLD, head: float = 2.6
@@ -144,11 +143,11 @@ class Sketch:
         wing = 0.31 * head * 1j * way
         self.path((tip, tip - head * way + wing, tip - head * way - wing), layer, 0.0, closed=True, fill="ink")
 
-    def _add(self, line: Line, *obstacles: Sequence[complex]) -> None:
-        """Draw a line that stands in the way of labels as the ``obstacles`` say: corners of polylines."""
+    def _add(self, line: Line, *obstacles: Outline) -> None:
+        """Draw a line that stands in the way of labels as the ``obstacles`` say."""
         self.lines.append(line)
-        for corners in obstacles:
-            self.obstacles.add(corners, line.weight or BOLD)  # heads have no outline
+        for outline in obstacles:
+            self.obstacles.add(outline, line.weight or BOLD)  # heads have no outline
 
     def occupy(self, point: str, direction: complex) -> None:
         """Note that something leaves a point in a direction."""
@@ -205,7 +204,9 @@ class Sketch:
 
     def finish(self, named: Mapping[str, complex]) -> Drawing:
         """Place the labels, cut the paper to size and put everything in order."""
-        labels, leaders = place_labels(self.requests, self.obstacles.segments(), list(named.values()))
+        wanted = WantedLabels(self.requests, self.obstacles.segments(), list(named.values()))
+        (placed,) = place_labels([wanted]) if self.requests else [Placed([], [], False)]
+        labels, leaders, doubtful = placed
         corners = [*self._outline(), *(point for leader in leaders for point in leader.points)]
         for label in labels:
             half = complex(*label.size) / 2
@@ -223,6 +224,7 @@ class Sketch:
             origin=-low,
             beyond=tuple(self.beyond),
             lengthened=self.lengthened,
+            doubtful=doubtful,
             rotations=tuple([turn._replace(arc=_moved_arc(turn.arc, -low)) for turn in self.rotations]),
         )
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from functools import cache
 
 from variantgen.figure.glyphs import STRETCHED, Glyph, glyph, has_glyph
-from variantgen.figure.letter_run import THICKNESS, Bar, PlacedGlyph, Run
+from variantgen.figure.letter_run import THICKNESS, Bar, Run
 
 AXIS = 0.25
 _NUMERATOR_UP, _DENOMINATOR_DOWN, _FRACTION_GAP, _FRACTION_AROUND = 0.677, 0.686, 0.12, 0.1
@@ -40,7 +40,7 @@ def root(radicand: Run) -> Run:
     sign = _sign(ROOT, height + THICKNESS + least)
     gap = max(least, (sign.top - sign.bottom - THICKNESS - height + least) / 2)
     top = radicand.top + gap + THICKNESS
-    made.glyphs.append(PlacedGlyph(sign, complex(0.0, top - sign.top)))
+    made.sign(sign, up=top - sign.top)
     made.bars.append(Bar(complex(sign.width, top - THICKNESS / 2), radicand.x))
     made.put(radicand, complex(sign.width, 0.0))
     made.take_room(top + _ROOT_ABOVE)
@@ -57,7 +57,7 @@ def enclosed(content: Run, opening: str, closing: str) -> Run:
             made.append(content)
             continue
         sign = _sign(part, height - _SHORT)
-        made.glyphs.append(PlacedGlyph(sign, complex(made.x, 0.0)))
+        made.sign(sign)
         made.x += sign.width
     return made
 

@@ -10,9 +10,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
+import numpy as np
+
+from variantgen.mechanism.arithmetic import cross
 from variantgen.mechanism.joints.slot import Slot
 from variantgen.mechanism.rows import Constraint, Placement, ScalarRow, Shape, Sliding
 from variantgen.mechanism.scene import Scene, fixed_points
+
+_ASLANT = 1e-6  # sine of the angle of a rope with a guide: less is rounding
 
 
 @dataclass(frozen=True)
@@ -21,7 +26,7 @@ class Linkage:
 
     scene: Scene
 
-    @property
+    @cached_property
     def hinged(self) -> frozenset[str]:
         """Fixed hinges: points that a joint holds in place by itself."""
         return frozenset(fixed_points(self.scene))
@@ -96,6 +101,17 @@ class Linkage:
                     normal = complex(row.points[shape.points[0]])
                     found.setdefault(shape.points[0], -1j * normal / abs(normal))
         return found
+
+    def aslant_stations(self, at: Placement) -> list[str]:
+        """Stations at rest from which a rope runs aslant to the guide of a point: how fast depends on their place.
+
+        Where it runs along the guide, wherever its pulley stands, the figure says all.
+        """
+        strands = [strand for joint in self.scene.joints for strand in joint.strands(at)]
+        guides = self.guides(at) if strands else {}
+        led = [strand for strand in strands if strand.end in guides]
+        aslant = [s.station for s in led if np.any(np.abs(cross(s.ray, guides[s.end])) > _ASLANT)]
+        return list(dict.fromkeys(aslant))
 
 
 def driven_body(driver: Constraint) -> str | None:

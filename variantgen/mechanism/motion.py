@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, is_dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -116,23 +117,25 @@ def largest_change(
 
 def take_scene(scene: Scene, index: NDArray[Any] | int, size: int) -> Scene:
     """A scene with the chosen variants only: arrays of the batch length are indexed, scalars stay."""
-
-    def cut(item: Any) -> Any:
-        changes: dict[str, Any] = {}
-        for name, value in vars(item).items():
-            if isinstance(value, np.ndarray):
-                if value.shape == (size,):
-                    changes[name] = value[index]
-            elif isinstance(value, tuple) and value and is_dataclass(value[0]):
-                changes[name] = tuple(cut(part) for part in value)
-        return type(item)(**(vars(item) | changes)) if changes else item
-
+    cut = partial(_cut, index=index, size=size)
     return Scene(
         {name: cut(item) for name, item in scene.points.items()},
         scene.bodies,
-        tuple(cut(item) for item in scene.joints),
-        tuple(cut(item) for item in scene.drivers),
+        tuple(map(cut, scene.joints)),
+        tuple(map(cut, scene.drivers)),
         cut(scene.frame),
-        tuple(cut(item) for item in scene.conditions),
+        tuple(map(cut, scene.conditions)),
         scene.course and scene.course.take(index, size),
     )
+
+
+def _cut(item: Any, index: NDArray[Any] | int, size: int) -> Any:
+    """A part of a scene with the chosen variants only."""
+    changes: dict[str, Any] = {}
+    for name, value in vars(item).items():
+        if isinstance(value, np.ndarray):
+            if value.shape == (size,):
+                changes[name] = value[index]
+        elif isinstance(value, tuple) and value and is_dataclass(value[0]):
+            changes[name] = tuple(_cut(part, index, size) for part in value)
+    return type(item)(**(vars(item) | changes)) if changes else item

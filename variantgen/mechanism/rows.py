@@ -178,6 +178,19 @@ class JointCircle:
     body: str = ""
 
 
+@dataclass(frozen=True)
+class Strand:
+    """A straight piece of a rope from a ``station`` at rest that is no body, a circle of ``radius`` (m) about a point.
+
+    ``end`` is the point of the station at its other end, ``ray`` the unit vector on paper along it.
+    """
+
+    station: str
+    radius: Real
+    end: str
+    ray: Complex
+
+
 class Pair(Constraint, Protocol):
     """A joint: its constraint, and what figures, checks and messages ask of it."""
 
@@ -195,6 +208,10 @@ class Pair(Constraint, Protocol):
 
     def hanging(self) -> tuple[str, ...]:
         """Points that hang free at the end of a rope, if any do."""
+        ...
+
+    def strands(self, at: Placement) -> tuple[Strand, ...]:
+        """What leads from stations at rest that are no bodies, so that their places tell its direction."""
         ...
 
     def landmarks(self) -> tuple[str, ...]:
@@ -255,6 +272,10 @@ class Joint:
 
     def hanging(self) -> tuple[str, ...]:
         """Points that hang free at the end of a rope (a rope says)."""
+        return ()
+
+    def strands(self, at: Placement) -> tuple[Strand, ...]:
+        """What leads from stations at rest (a rope says)."""
         return ()
 
     def landmarks(self) -> tuple[str, ...]:

@@ -23,14 +23,13 @@ _STEADY = "direct"  # a velocity that is given by the place needs no integration
 def integration_steps(task: Task) -> tuple[Step, ...]:
     """A step for each law that is given by a rate, none where the velocity itself is a number or given by the place.
 
-    The statement of a family tells its law in words of its own: of what no formula gives, the step has the numbers.
+    Where the sheet tells a law in words, only what no formula gives has a step, with the numbers.
     """
-    of_family = task.variant.family.folder is not None
     return tuple(
         Step(Sentence("integration.heading", _facts(law.rate), False), _items(task, law, law.rate))
         for law in task.form.laws.values()
         if law.rate is not None and law.integrated is not None and law.integrated.way != _STEADY
-        if law.integrated.way == _NUMERICAL or not of_family
+        if law.integrated.way == _NUMERICAL or task.writes_laws
     )
 
 
@@ -46,9 +45,7 @@ def _facts(rate: RateLaw) -> dict[str, Fact]:
 
 def _items(task: Task, law: Law, rate: RateLaw) -> list[Item]:
     assert law.integrated is not None, "it has been read"
-    way, lines = law.integrated.way, list(law.integrated.lines)
-    if task.variant.family.folder is not None:
-        lines = []
+    way, lines = law.integrated.way, list(law.integrated.lines) if task.writes_laws else []
     found: list[Item] = [*_lines(task, rate, lines[:1]), Sentence(f"integration.{way}", _facts(rate), False)]
     if way != _NUMERICAL:
         return found + _lines(task, rate, lines[1:])

@@ -4,21 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import lru_cache
-from itertools import pairwise
-
-import numpy as np
 
 from variantgen.families.family import Form
 from variantgen.families.parameters.parameter import Parameter
 from variantgen.families.quantities import Quantity, motion_order
-from variantgen.mechanism.arithmetic import cross
-from variantgen.mechanism.joints.guide import Guide
-from variantgen.mechanism.joints.rope import Rope
+from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.rows import Placement
 from variantgen.mechanism.solving.solve import place
 from variantgen.variants.variant import Variant
-
-_ASLANT = 1e-6  # sine of the angle of a rope with a guide: less is rounding
 
 
 def given_names(variant: Variant, asked: Sequence[Quantity]) -> list[str]:
@@ -118,30 +111,10 @@ def _shown(form: Form, asked: tuple[str, ...]) -> tuple[str, ...]:
         for p in (members if body in plates else members[:2])
     }
     named = {p for c in scene.constraints for shape in c.shapes() for p in shape.points}
-    named |= {*form.figure.named, *(p for joint in scene.joints for p in joint.landmarks()), *_aslant_pulleys(form)}
+    named |= {*form.figure.named, *(p for joint in scene.joints for p in joint.landmarks())}
+    named |= {*Linkage(scene).aslant_stations(Placement(place(scene, form.plan)[0], scene.frame))}
     return tuple(
         p
         for p in form.points
         if p not in form.figure.hidden and (count.get(p, 0) > 1 or p in ends or p in named or p in asked)
     )
-
-
-def _aslant_pulleys(form: Form) -> set[str]:
-    """Pulleys at rest, no bodies, to which a rope runs aslant to the guide of a point: how fast depends on their place.
-
-    Where it runs along the guide, wherever its pulley stands, the figure says all.
-    """
-    scene = form.sample
-    ropes = [joint for joint in scene.joints if isinstance(joint, Rope) and not joint.parallel]
-    guides = {joint.point: joint.angle for joint in scene.joints if isinstance(joint, Guide)}
-    if not guides or not any(bend.fixed for rope in ropes for bend in rope.path):
-        return set()
-    at = Placement(place(scene, form.plan)[0], scene.frame)
-    found: set[str] = set()
-    for rope in ropes:
-        for ends, (ray, _) in zip(pairwise(rope.path), rope.pieces(at), strict=True):
-            for bend, other in (ends, ends[::-1]):
-                if bend.fixed and bend.body is None and other.point in guides:
-                    across = np.abs(cross(ray, scene.frame.direction(guides[other.point])))
-                    found |= {bend.point} if np.any(across > _ASLANT) else set()
-    return found

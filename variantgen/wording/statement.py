@@ -69,7 +69,7 @@ def _given(case: _Case, variant: Variant) -> list[Equation]:
             continue
         number = case.language.decimal(abs(value) if is_rate else value)
         (rates if is_rate else places).append(Equation(symbol, Measured(number, unit_text)))
-    if variant.family.folder is None:
+    if variant.family.is_scene:
         own = scene_data(variant, case.asked, case.language)
         places, rates = places + own[0], rates + law_equations(case.form, case.language) + own[1]
     return places + _found(case, variant) + graph_instant(variant, case.language) + rates
@@ -137,7 +137,7 @@ def _data(case: _Case) -> tuple[tuple[str, Symbol, UnitText, bool], ...]:
 def _text(case: _Case) -> Text:
     """The filled template. A scene has words of the program."""
     variant, language = case.variant, case.language
-    if variant.family.folder is None:
+    if variant.family.is_scene:
         words = language.words("sheet")
         begun = words[_scene_words(case.form)]
         guides = guide_sentences(variant, case.asked, language)
@@ -175,7 +175,7 @@ def _filled(case: _Case, template: StatementTemplate) -> Text:
 
     context = _context(case)
     _check_own(template, context.keys())
-    for name in template.variables - context.keys():
+    for name in sorted(template.variables - context.keys()):
         context[name] = _letters_symbol(name, variant, path)
     marked = {name: mark(value) if isinstance(value, Symbol) else value for name, value in context.items()}
     text = template.fill(marked)

@@ -6,22 +6,21 @@ meshes or winds up a rope is a circle. A slot in a plate or in a disc is a groov
 
 from __future__ import annotations
 
-import cmath
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import pairwise
 from typing import NamedTuple
 
 from variantgen.families.family import Form
 from variantgen.families.figure_hints import DiscMark, FigureHints
 from variantgen.families.parameters.expressions import FamilyExpression, parse
+from variantgen.mechanism.arithmetic import cross
 from variantgen.mechanism.constructions.tangent import Tangent
 from variantgen.mechanism.joints.gears import Gears
-from variantgen.mechanism.joints.guide import Guide
 from variantgen.mechanism.joints.rolling import Rolling
 from variantgen.mechanism.joints.rolling_on_circle import RollingOnCircle
 from variantgen.mechanism.joints.rope import Rope
-from variantgen.mechanism.joints.slot import Slot
+from variantgen.mechanism.linkage import Linkage
+from variantgen.mechanism.rows import Placement
 from variantgen.mechanism.solving.solve import solve
 
 _ON_A_LINE = 1e-3  # of the length of a body
@@ -164,26 +163,22 @@ def _stations(form: Form, at: Places) -> tuple[str, ...]:
     points at which a line touches a circle that no joint has.
     """
     scene = form.sample
-    ways = {joint.point: cmath.rect(1.0, float(joint.angle)) for joint in scene.joints if isinstance(joint, Guide)}
-    moving = {point for joint in scene.joints for shape in joint.shapes() for point in shape.points}
-    moving |= {point for members in form.bodies.values() for point in members}
     used = {name for t in form.joints for name in t.fields.values() if isinstance(name, str)}
     found = [
         name for name, place in scene.points.items() if isinstance(place, Tangent) and place.radius and name not in used
     ]
-    for joint in scene.joints:
-        if isinstance(joint, Rope) and not joint.parallel:
-            for first, second in pairwise(joint.path):
-                for station, other in ((first, second), (second, first)):
-                    way, step = ways.get(other.point), at[other.point] - at[station.point]
-                    aside = abs(abs((step * way.conjugate()).imag) - float(station.radius)) if way else abs(step)
-                    if station.point not in moving and aside > _SAME * abs(step):
-                        found.append(station.point)
+    placed = Placement(at, scene.frame)
+    guides = Linkage(scene).guides(placed)
+    for strand in (strand for joint in scene.joints for strand in joint.strands(placed)):
+        step, guide = at[strand.end] - at[strand.station], guides.get(strand.end)
+        aside = abs(step) if guide is None else abs(abs(cross(step, guide)) - strand.radius)
+        if aside > _SAME * abs(step):
+            found.append(strand.station)
     return tuple(dict.fromkeys(found))
 
 
 def _with_grooves(form: Form, hints: FigureHints) -> FigureHints:
     """Slots of plates and discs as grooves, where the file speaks of no groove."""
     wide = {*hints.plates, *(disc.body for disc in hints.discs)}
-    found = [joint.along for joint in form.sample.joints if isinstance(joint, Slot) and joint.body in wide]
+    found = [path.line for path in Linkage(form.sample).slides if path.line is not None and path.body in wide]
     return hints if hints.grooves else replace(hints, grooves=tuple(dict.fromkeys(found)))

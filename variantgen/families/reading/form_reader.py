@@ -7,31 +7,28 @@ from collections.abc import Collection
 from dataclasses import replace
 from decimal import Decimal
 from fnmatch import fnmatchcase
-from heapq import heappop, heappush
-from typing import Any
+from typing import Any, NamedTuple
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.asking import read_ask
+from variantgen.families.course import Interval
 from variantgen.families.family import ComponentTemplate, Form
 from variantgen.families.found_instant import read_found_instant, with_found_instant
 from variantgen.families.hints import check_marks, read_figure, read_pose, read_screens
 from variantgen.families.machine import read_machine
 from variantgen.families.nice import read_nice
-from variantgen.families.parameters.dimensions import Dimension, dimension_name
-from variantgen.families.parameters.expressions import FamilyExpression, parse
 from variantgen.families.parameters.laws import Law
 from variantgen.families.parameters.parameter import Parameter
-from variantgen.families.parameters.plain_angles import Kind, check_angle, kind_of, kind_of_parameter
-from variantgen.families.parameters.reading import check_name, read_parameter, unknown_name
+from variantgen.families.parameters.reading import read_parameter
 from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import is_quantity, quantity_names
+from variantgen.families.reading.definitions import Definitions
 from variantgen.families.reading.driven_laws import with_accelerations
 from variantgen.families.reading.implied import belt_words, with_blocks, with_stations
 from variantgen.families.reading.law_reader import check_motion, read_interval, read_laws
 from variantgen.families.reading.soundness import check_constants
 from variantgen.families.templates import TemplateReader
 from variantgen.limits import DERIVED, GRID, PARAMETERS, PARTS
-from variantgen.mechanism.component import DIMENSIONS
 from variantgen.tables import Table
 
 SECTIONS = (
@@ -48,6 +45,16 @@ _MOST = {"parameters": PARAMETERS, "derived": DERIVED, "laws": DERIVED} | dict.f
 )
 
 
+class _Mechanism(NamedTuple):
+    """The scene of a form as its file has it."""
+
+    points: dict[str, ComponentTemplate]
+    bodies: dict[str, tuple[str, ...]]
+    conditions: tuple[ComponentTemplate, ...]
+    joints: tuple[ComponentTemplate, ...]
+    drivers: tuple[ComponentTemplate, ...]
+
+
 class FormReader:
     """Reads one form; problems are collected, ``read`` returns None if there were any."""
 
@@ -59,67 +66,88 @@ class FormReader:
         self.ask = ask
         self.problems = problems
         self.parameters: dict[str, Parameter] = {}
-        self.derived: dict[str, FamilyExpression] = {}
-        self.dimensions: dict[str, Dimension] = {}
-        self.kinds: dict[str, Kind] = {}  # which of them are angles
+        self._known = Definitions()
         self.laws: dict[str, Law] = {}
         self._values = 0
         self._length = length
-        self._templates = TemplateReader(self.expression, unit(length))
+        self._templates = TemplateReader(self._known.expression, unit(length))
 
     def read(self, may_ask: tuple[str, ...] = ()) -> Form | None:
         """The form, or None."""
         before = len(self.problems)
+
+        def is_faulty() -> bool:
+            return len(self.problems) > before
+
         for section, most in _MOST.items():
             self.top.bounded(section, most)
         self._check_headings()
-        if len(self.problems) > before:
+        if is_faulty():
             return None  # what refers to the missing entries would be reported too
-        parameters = self.top.table("parameters")
-        self.parameters = parameters.each(lambda key, value: self._read_parameter(parameters, key, value))
-        if len(self.problems) > before:  # what uses a wrong parameter would only repeat that it is unknown
+        self._read_parameters()
+        if is_faulty():  # what uses a wrong parameter would only repeat that it is unknown
             return None
-        self._add_found_time(self.top.data.get("laws"))
-        self.dimensions = {n: p.unit.dimension if p.unit else (0, 0) for n, p in self.parameters.items()}
-        self.kinds = {name: kind_of_parameter(parameter) for name, parameter in self.parameters.items()}
-        self._read_derived(self.top.table("derived"))
+        self._known.read(self.top.table("derived"))
         known = len(self.problems)
-        laws = self.top.table("laws")
-        self.laws = read_laws(self, laws, self.top.data, self._length, self._templates.quantity, self.parameters)
-        interval = read_interval(laws, self._templates.quantity, self.dimensions)
+        interval = self._read_laws()
         if len(self.problems) > known:  # what uses a wrong law would only repeat that it is unknown
             return None
+        mechanism = self._read_mechanism()
+        if not is_faulty():
+            mechanism = self._completed(mechanism)
+        form = self._read_form(mechanism, interval, may_ask)
+        if is_faulty():
+            return None
+        with self.top.collecting(""):
+            form = self._sound(form)
+        return None if is_faulty() else form
+
+    def _read_parameters(self) -> None:
+        """The parameters, of which expressions are made."""
+        before, table = len(self.problems), self.top.table("parameters")
+        self.parameters = table.each(lambda key, value: self._read_parameter(table, key, value))
+        if len(self.problems) == before:
+            self._add_found_time(self.top.data.get("laws"))
+        self._known.add(self.parameters)
+
+    def _read_laws(self) -> Interval | None:
+        """The laws; their interval of time, if they have one."""
+        table = self.top.table("laws")
+        self.laws = read_laws(
+            self._known, table, self.top.data, self._length, self._templates.quantity, self.parameters
+        )
+        return read_interval(table, self._templates.quantity, self._known.dimensions)
+
+    def _read_mechanism(self) -> _Mechanism:
+        """Points, bodies and what joins and drives them."""
         points = self._templates.points(self.top.table("points"))
-        bodies_table = self.top.table("bodies")
-        bodies = {name: bodies_table.strings(name) for name in bodies_table.data}
+        table = self.top.table("bodies")
+        bodies = {name: table.strings(name) for name in table.data}
         self._check_names("points", points)
         self._check_names("bodies", bodies)
         conditions, joints, drivers = (
             self._listed(name, f"variantgen.mechanism.{name}") for name in ("conditions", "joints", "drivers")
         )
-        if len(self.problems) == before:
-            drivers = with_accelerations(drivers, self.laws, self.expression)
-            joints = with_blocks(with_stations(joints, drivers, bodies), drivers, bodies)
-        screens = read_screens(self.top.table("screens"), self.expression, points)
+        return _Mechanism(points, bodies, conditions, joints, drivers)
+
+    def _completed(self, mechanism: _Mechanism) -> _Mechanism:
+        """The mechanism with what its file leaves unsaid."""
+        bodies = mechanism.bodies
+        drivers = with_accelerations(mechanism.drivers, self.laws, self._known.expression)
+        joints = with_blocks(with_stations(mechanism.joints, drivers, bodies), drivers, bodies)
+        return mechanism._replace(joints=joints, drivers=drivers)
+
+    def _read_form(self, mechanism: _Mechanism, interval: Interval | None, may_ask: tuple[str, ...]) -> Form:
+        """The form, with how it is drawn, screened, called and written."""
+        points, bodies, conditions, joints, drivers = mechanism
+        screens = read_screens(self.top.table("screens"), self._known.expression, points)
         pose = read_pose(self.top.table("pose"))
         figure = read_figure(self.top.table("figure"), set(points), bodies, self._templates.quantity)
         check_marks(self.top, figure, self.parameters)
-        nice = read_nice(self.top.table("nice"), self.parameters, self.expression)
-        written = self.top.table("symbols")
-        symbols = {name: written.take(name, str, "") for name in written.data} | belt_words(joints)
-        machine = read_machine(self.top.table("machine"))
-        called = self.top.table("nouns")
-        nouns = {name: called.take(name, str, "") for name in called.data}
-        self.top.finish()
-        self._check_symbols()
-        for name in sorted(set(nouns) - set(bodies)):
-            self.top.problem("unknown body", f"nouns.{name}", name, nearest(name, bodies))
-        if len(self.problems) > before:
-            return None
         form = Form(
             self.name,
             self.parameters,
-            self.derived,
+            self._known.derived,
             points,
             bodies,
             joints,
@@ -130,20 +158,32 @@ class FormReader:
             screens,
             pose,
             figure,
-            symbols,
-            nice,
-            self.laws,
-            nouns=nouns,
-            machine=machine,
+            nice=read_nice(self.top.table("nice"), self.parameters, self._known.expression),
+            symbols=self._words("symbols") | belt_words(joints),
+            laws=self.laws,
+            machine=read_machine(self.top.table("machine")),
+            nouns=self._words("nouns"),
             interval=interval,
         )
-        with self.top.collecting(""):
-            check_constants(form)
-            _ = form.plan
-            check_motion(form, self.top.data.get("laws", {}))
-            form = self._with_instant(form)
-            self._check_ask(form)
-        return form if len(self.problems) == before else None
+        self.top.finish()
+        self._check_symbols()
+        for name in sorted(set(form.nouns) - set(bodies)):
+            self.top.problem("unknown body", f"nouns.{name}", name, nearest(name, bodies))
+        return form
+
+    def _words(self, section: str) -> dict[str, str]:
+        """A table of words by names."""
+        table = self.top.table(section)
+        return {name: table.take(name, str, "") for name in table.data}
+
+    def _sound(self, form: Form) -> Form:
+        """The form with the instant that its laws say how to find, once all agrees. Raises InputError."""
+        check_constants(form)
+        _ = form.plan
+        check_motion(form, self.top.data.get("laws", {}))
+        form = self._with_instant(form)
+        self._check_ask(form)
+        return form
 
     def _with_instant(self, form: Form) -> Form:
         """The form with the instant that its laws say how to find. Raises InputError."""
@@ -227,68 +267,6 @@ class FormReader:
                 Problem("nothing moves in this scene", key="bodies", remedy="add bodies, joints and a driver")
             )
         object.__setattr__(form, "ask", plain)
-
-    def _read_derived(self, table: Table) -> None:
-        """Derived quantities, each after those it uses; of several that could be next, the first in the file."""
-        parsed = {name: self.parsed(table, name, value) for name, value in table.data.items()}
-        waiting = {name: expression for name, expression in parsed.items() if expression is not None}
-        order = {name: place for place, name in enumerate(waiting)}
-        lacking = {name: len(expression.names & waiting.keys()) for name, expression in waiting.items()}
-        users: dict[str, list[str]] = {name: [] for name in waiting}
-        for name, expression in waiting.items():
-            for used in expression.names & waiting.keys():
-                users[used].append(name)
-        ready = [(order[name], name) for name in waiting if not lacking[name]]
-        while ready:
-            _, name = heappop(ready)
-            with table.collecting(name):
-                self.define(name, waiting.pop(name))
-            for user in users[name]:
-                lacking[user] -= 1
-                if not lacking[user]:
-                    heappush(ready, (order[user], user))
-        if waiting:
-            table.problem("derived quantities use each other in a circle", "", ", ".join(waiting))
-
-    def parsed(self, table: Table, name: str, value: Any) -> FamilyExpression | None:
-        """The expression of a key; None for a wrong one, which is noted."""
-        if not isinstance(value, str):
-            table.problem("expected an expression in quotes", name, value)
-            return None
-        found: list[FamilyExpression] = []
-        with table.collecting(name):
-            found.append(parse(value))
-        return found[0] if found else None
-
-    def define(self, name: str, expression: FamilyExpression, dimension: Dimension | None = None) -> Dimension:
-        """Make a name known; its dimension is that of the expression unless it is stated. Raises InputError."""
-        if name in self.dimensions:
-            raise InputError(Problem("the name is taken", value=name, remedy="choose another name"))
-        check_name(name)
-        self.known_names(expression)
-        found = dimension or expression.dimension(self.dimensions) or (0, 0)
-        self.dimensions[name] = found
-        self.kinds[name] = kind_of(expression, self.kinds)
-        self.derived[name] = expression
-        return found
-
-    def known_names(self, expression: FamilyExpression) -> None:
-        """Raise InputError for an expression with an unknown name."""
-        for used in sorted(expression.names):
-            if used not in self.dimensions:
-                raise InputError(unknown_name(used, list(self.dimensions), expression.text))
-
-    def expression(self, text: str, dimension: str = "") -> FamilyExpression:
-        """An expression over the known names, of the given dimension if one is due. Raises InputError."""
-        expression = parse(text)
-        self.known_names(expression)
-        found = expression.dimension(self.dimensions)
-        if dimension and found is not None and found != DIMENSIONS[dimension]:
-            raise InputError(
-                Problem(f"is {dimension_name(found)}, expected {dimension_name(DIMENSIONS[dimension])}", value=text)
-            )
-        (check_angle if dimension == "angle" else kind_of)(expression, self.kinds)
-        return expression
 
     def _listed(self, name: str, package: str) -> tuple[ComponentTemplate, ...]:
         found = [self._templates.read(table, package) for table in self.top.tables(name)]

@@ -7,7 +7,7 @@ from contextlib import suppress
 from functools import cache
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.family import Family, Form
@@ -75,6 +75,44 @@ def parse_family(data: dict[str, Any], path: Path) -> Family:
 
     Raises InputError with every problem found.
     """
+    head = _read_head(data)
+    forms = _read_forms(head)
+    is_family = path.name == FAMILY
+    if not is_family:
+        forms = {name: with_drawn_bodies(as_written(form)) for name, form in forms.items()}
+    return Family(
+        path.resolve().parent.name if is_family else path.stem,
+        head.titles,
+        head.length,
+        forms,
+        path.resolve().parent if is_family else None,
+        head.source,
+        frozenset(
+            name
+            for form in forms.values()
+            for name in (*form.points, *form.bodies, *(p.symbol for p in form.parameters.values() if p.given))
+        ),
+        head.solution,
+        head.units,
+    )
+
+
+class _Head(NamedTuple):
+    """What a file says of all its forms: ``base`` are the sections that they share, ``overlays`` what each changes."""
+
+    titles: dict[str, str]
+    length: str
+    units: tuple[str, ...]
+    ask: tuple[str, ...]
+    may_ask: tuple[str, ...]
+    source: str
+    solution: tuple[str, ...]
+    overlays: dict[str, Any]
+    base: dict[str, Any]
+
+
+def _read_head(data: dict[str, Any]) -> _Head:
+    """What stands above and beside the forms. Raises InputError."""
     problems: list[Problem] = []
     top = Table(data, "", problems)
     for key, letter, kind in _unseen(data, ""):
@@ -86,16 +124,7 @@ def parse_family(data: dict[str, Any], path: Path) -> Family:
         top.problem(f"expected schema {SCHEMA}", "schema", version, f"the file is {age}")
     title = top.table("title")
     titles = {name: title.take(name, str, "") for name in title.data}
-    length = top.take("length_unit", str, "m")
-    with top.collecting("length_unit"):
-        if unit(length, "").measures != "length":
-            raise InputError(Problem("expected a unit of length", value=length, remedy="m, cm or mm"))
-    units = top.strings("units")
-    for number, name in enumerate(units, start=1):
-        with top.collecting(f"units[{number}]"):
-            check_length_unit(name, "")
-    if units and length not in units:
-        top.problem("names other units than that of its numbers", "units", ", ".join(units), f'add "{length}"')
+    length, units = _read_units(top)
     ask, may_ask = top.strings("ask"), top.strings("may_ask")
     source = top.take("source", str, "")
     solution = top.strings("solution")
@@ -107,40 +136,44 @@ def parse_family(data: dict[str, Any], path: Path) -> Family:
     top.finish()
     if problems:
         raise InputError(problems)
+    return _Head(titles, length, units, ask, may_ask, source, solution, overlays, base)
+
+
+def _read_units(top: Table) -> tuple[str, tuple[str, ...]]:
+    """The unit of the lengths of a file, and those that it offers; mistakes are noted."""
+    length = top.take("length_unit", str, "m")
+    with top.collecting("length_unit"):
+        if unit(length, "").measures != "length":
+            raise InputError(Problem("expected a unit of length", value=length, remedy="m, cm or mm"))
+    units = top.strings("units")
+    for number, name in enumerate(units, start=1):
+        with top.collecting(f"units[{number}]"):
+            check_length_unit(name, "")
+    if units and length not in units:
+        top.problem("names other units than that of its numbers", "units", ", ".join(units), f'add "{length}"')
+    return length, units
+
+
+def _read_forms(head: _Head) -> dict[str, Form]:
+    """The forms by name; one without a name where the file has no forms. Raises InputError."""
+    problems: list[Problem] = []
     forms: dict[str, Form] = {}
-    for name, overlay in (overlays or {"": {}}).items():
+    for name, overlay in (head.overlays or {"": {}}).items():
         table = Table(overlay, f"forms.{name}" if name else "", problems)
-        merged = _overlaid(base, {k: v for k, v in table.data.items() if k not in ("ask", "may_ask")})
-        reader = FormReader(name, merged, length, table.strings("ask", ask), problems)
-        form = reader.read(table.strings("may_ask", may_ask))
+        merged = _overlaid(head.base, {k: v for k, v in table.data.items() if k not in ("ask", "may_ask")})
+        reader = FormReader(name, merged, head.length, table.strings("ask", head.ask), problems)
+        form = reader.read(table.strings("may_ask", head.may_ask))
         if form is not None:
             forms[name] = form
     _check_symbols(forms, problems)
     for name, form in forms.items() if not problems else ():
-        with top.collecting(""):
+        with Table({}, "", problems).collecting(""):
             check_sketch(form, form.figure.sketch, "figure.sketch")
             if form.figure.graph:
                 forms[name] = read_from_graph(form, form.figure.graph)
     if problems:
-        raise InputError(reported_once(problems, overlays))
-    is_family = path.name == FAMILY
-    if not is_family:
-        forms = {name: with_drawn_bodies(as_written(form)) for name, form in forms.items()}
-    return Family(
-        path.resolve().parent.name if is_family else path.stem,
-        titles,
-        length,
-        forms,
-        path.resolve().parent if is_family else None,
-        source,
-        frozenset(
-            name
-            for form in forms.values()
-            for name in (*form.points, *form.bodies, *(p.symbol for p in form.parameters.values() if p.given))
-        ),
-        solution,
-        units,
-    )
+        raise InputError(reported_once(problems, head.overlays))
+    return forms
 
 
 def _check_symbols(forms: Mapping[str, Form], problems: list[Problem]) -> None:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
-from typing import Any, NamedTuple, Protocol, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 from variantgen.algebra.expression import Constant, Expression, Ratio, Times, Variable
 from variantgen.algebra.substitution import substituted
@@ -19,6 +19,7 @@ from variantgen.families.parameters.laws import Law
 from variantgen.families.parameters.rate_law import RateLaw, Start, integrated, starting_sign
 from variantgen.families.parameters.solved_law import InitialValue, SolvedLaw
 from variantgen.families.parameters.units import Unit, is_number, parse_value, unit
+from variantgen.families.reading.definitions import Definitions
 from variantgen.tables import Table
 
 _RATES = {"v": 1, "a": 2, "omega": 1, "epsilon": 2}
@@ -29,16 +30,6 @@ _MEASURES = {
 }
 
 Quantity: TypeAlias = Callable[[str, Any], FamilyExpression]  # a number or an expression of a dimension, in SI
-
-
-class Known(Protocol):
-    """What is known of a form before its laws are read."""
-
-    dimensions: dict[str, Dimension]
-
-    def known_names(self, expression: FamilyExpression) -> None:
-        """Raise InputError for an expression with an unknown name."""
-        ...
 
 
 class ReadRate(NamedTuple):
@@ -66,7 +57,9 @@ class RateReader:
     ``length`` is the unit of length of the file.
     """
 
-    def __init__(self, form: Known, time: str, quantity: Quantity, sample: Mapping[str, float], length: str) -> None:
+    def __init__(
+        self, form: Definitions, time: str, quantity: Quantity, sample: Mapping[str, float], length: str
+    ) -> None:
         self._form, self._time, self._quantity, self._sample = form, time, quantity, sample
         self._length = length
 

@@ -33,6 +33,11 @@ class MovingMechanism(Mechanism):
         """The problem that its solution answers."""
         return task_of(self.variant, self.motion, self.index, self.asked)
 
+    @cached_property
+    def chain(self) -> VectorChain:
+        """The chain that leads to all that is asked."""
+        return chain_of(self.variant.form, self.now, self.asked, self.shown)
+
 
 @dataclass(frozen=True)
 class MotionData:
@@ -52,11 +57,11 @@ def motion_data(
     has no motion, accelerations are not asked, or no point has any while the figure is one of points (``points_move``).
     """
     variant, motion = mechanism.variant, mechanism.motion
-    asked, name = mechanism.asked if asked is None else asked, variant.family.name
+    sought, name = mechanism.asked if asked is None else asked, variant.family.name
     if not motion.solved[mechanism.index]:
         text = Outcome(int(motion.outcome[mechanism.index])).text
         raise InputError(Problem(f"there is no motion to draw: {text}", key="view", value=name))
-    if order == 2 and not any(quantity.order == 2 for quantity in asked):
+    if order == 2 and not any(quantity.order == 2 for quantity in sought):
         raise InputError(
             Problem(
                 "there are no accelerations to draw: none are asked, so the data for them are not given",
@@ -66,7 +71,7 @@ def motion_data(
             )
         )
     now = mechanism.now
-    chain = chain_of(variant.form, now, asked, shown_points(variant, asked))
+    chain = mechanism.chain if asked is None else chain_of(variant.form, now, asked, shown_points(variant, asked))
     vectors = now.v if order == 1 else now.a
     sizes = [abs(vectors[point]) for point in chain.points]
     largest = max((abs(vector) for vector in vectors.values()), default=0.0)

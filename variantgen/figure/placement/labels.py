@@ -8,274 +8,180 @@ off and gets a thin leader.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
-from itertools import islice
+from collections.abc import Iterable, Sequence
+from itertools import accumulate
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.figure.drawing import THIN, Label, Layer, Path
-from variantgen.figure.ink import Segments, boxes_crossed, crosses
+from variantgen.figure.drawing import Label, Path
+from variantgen.figure.ink import Segments, Sides
+from variantgen.figure.placement.choices import CLOSE, GAP, INK, TIGHT, Choice, conflicting, resolve_overlaps
 from variantgen.figure.placement.label_requests import Costs, LabelRequest, Places, far_from
 from variantgen.figure.placement.misleading_places import MISREAD, MisleadingPlaces
 from variantgen.figure.placement.occupancy import Occupancy
 
-GAP = 0.8  # free space around a label, u
-_TIGHT = 0.45  # free space that a label never gives up (half of a bold line), u
-# Costs of ink under a label and per cell of it, of less than the wished free space, of two labels over each other, of a
-# leader and of each line that it crosses, with that of an arrow between all others.
-_INK, _INK_CELL, _CLOSE, _LABEL, _LEADER, _CUT, _CUT_BY_VECTOR = 100.0, 2.0, 3.0, 300.0, 30.0, 4.0, 10.0
+# Costs of each cell of ink under a label, of a leader and of each line that it crosses, with that of an arrow between
+# all others.
+_INK_CELL, _LEADER, _CUT, _CUT_BY_VECTOR = 2.0, 30.0, 4.0, 10.0
 _FAR = 35.0  # cost from which on the letter of a vector is so far off or so misleading that a leader may be better
-_PRODUCT = 15.0  # of two labels that stand side by side so near that they read as a product
-_BESIDE = 2.4  # u
 _FIRST = 10  # candidates of each label that are asked first what they could be mistaken for
-_SWEEPS = 4
-_AWAY = complex(1e6, 1e6)  # far from all paper
-_LEADER_GAP = 0.35  # between a leader and its label or the symbol, u
 _ON_LEADER = np.linspace(0.0, 1.0, 24)  # places along a leader that are looked at
 
 
-@dataclass
-class _Choice:
-    """The candidates of one label with what they cost apart from other labels; which need a leader, and to where."""
+class WantedLabels(NamedTuple):
+    """The labels that a figure wants, lines to keep clear of, shape (S, 2), and named points beside those of labels."""
 
-    request: LabelRequest
-    places: Places
-    costs: Costs
-    led: NDArray[np.bool_]
-    ends: Places
-    taken: int = -1
-
-    @property
-    def place(self) -> complex:
-        """The chosen centre."""
-        return complex(self.places[self.taken])
-
-    @property
-    def leader(self) -> Path | None:
-        """The leader of the chosen place, where it needs one."""
-        return _leader(self.request, self.place, complex(self.ends[self.taken])) if self.led[self.taken] else None
+    requests: Sequence[LabelRequest]
+    segments: Segments
+    strangers: Sequence[complex]
 
 
-def place_labels(
-    requests: Sequence[LabelRequest], segments: Segments, strangers: Sequence[complex]
-) -> tuple[list[Label], list[Path]]:
-    """Labels where they cost least, and the leaders of those that are far from what they name.
+class Placed(NamedTuple):
+    """Labels, the leaders of those that are far from what they name, and whether one of them may be hard to read."""
 
-    ``segments`` (shape (S, 2)) are lines to keep clear of, ``strangers`` further named points.
+    labels: list[Label]
+    leaders: list[Path]
+    doubtful: bool
+
+
+def place_labels(figures: Sequence[WantedLabels]) -> list[Placed]:
+    """Labels where they cost least, of several figures at once: the arrays of one are so small that calls would cost.
+
+    Each figure wants a label at least.
     """
-    if not requests:
-        return [], []
-    occupancy = Occupancy(segments)
-    misleading = MisleadingPlaces(requests, strangers, occupancy)
-    choices = _near_choices(requests, occupancy, misleading)
-    for choice in choices:
-        choice.taken = int(choice.costs.argmin())
-    first = _conflicting(choices)
-    _resolve_overlaps(choices, first)
-    if first:
-        _add_misread(choices, misleading)
-    worst = {i for i, c in enumerate(choices) if c.costs[c.taken] >= (_FAR if c.request.vector else _INK)}
-    crowded = sorted(worst | set(_conflicting(choices) if first else ()))
-    if crowded:
-        _add_leaders(choices, crowded, occupancy)
-        _resolve_overlaps(choices, crowded)
-    labels = [
-        Label(c.request.formula, c.place, (2 * c.request.box[0], 2 * c.request.box[1]), arrow=c.request.arrow)
-        for c in choices
+    papers = _Papers(figures)
+    choices = papers.near_choices()
+    first = [conflicting(own) for own in choices]
+    conflicts = [resolve_overlaps(own, of) for own, of in zip(choices, first, strict=True)]
+    misread = papers.add_misread(choices, [number for number, of in enumerate(first) if of])
+    crowded = [_crowded(own) | of for own, of in zip(choices, conflicts, strict=True)]
+    if any(crowded):
+        papers.add_leaders(choices, crowded)
+        conflicts = [resolve_overlaps(own, of) if of else of for own, of in zip(choices, crowded, strict=True)]
+        led = {number for number, of in enumerate(crowded) if of}
+        misread = misread - led | {number for number, _ in papers.misread(choices, sorted(led))}
+    doubtful = [
+        bool(of) or number in misread or any(choice.on_ink for choice in own)
+        for number, (own, of) in enumerate(zip(choices, conflicts, strict=True))
     ]
-    return labels, [leader for c in choices if (leader := c.leader)]
-
-
-def _near_choices(
-    requests: Sequence[LabelRequest], occupancy: Occupancy, misleading: MisleadingPlaces
-) -> list[_Choice]:
-    """The candidates of all labels with their costs, computed at once."""
-    count = [len(r.places) for r in requests]
-    places = np.concatenate([r.places for r in requests])
-    owner = np.repeat(np.arange(len(requests)), count)
-    boxes = np.array([r.box for r in requests])[owner]
-    costs = np.concatenate([r.costs for r in requests])
-    costs += _ink_costs(occupancy, places, boxes)
-    _add_misleading(misleading, places, owner, costs)
-    ends = np.cumsum(count).tolist()
     return [
-        _Choice(
-            request,
-            places[end - size : end],
-            costs[end - size : end],
-            np.zeros(size, dtype=bool),
-            np.full(size, request.anchor),
-        )
-        for request, size, end in zip(requests, count, ends, strict=True)
+        Placed([_label(c) for c in own], [leader for c in own if (leader := c.leader)], of)
+        for own, of in zip(choices, doubtful, strict=True)
     ]
 
 
-def _add_misleading(misleading: MisleadingPlaces, places: Places, owner: NDArray[np.intp], costs: Costs) -> None:
-    """Add what a candidate could be mistaken for, but only to those that may win.
-
-    The best few of each label are asked first; where one of them stays better than all others, nothing else matters.
-    """
-    # Owners ascend, and no candidate costs as much as one owner counts here: in this order too they ascend.
-    order = np.argsort(owner * 1e6 + costs, kind="stable")
-    rank = np.empty(len(order), dtype=np.intp)
-    rank[order] = np.arange(len(order)) - np.searchsorted(owner, owner)
-    first = np.flatnonzero((rank < _FIRST) & (costs < _INK))
-    costs[first] += misleading.costs(places[first], owner[first])
-    asked = np.zeros(len(costs), dtype=bool)
-    asked[first] = True
-    best = np.full(owner[-1] + 1, np.inf)
-    np.minimum.at(best, owner[first], costs[first])
-    rest = np.flatnonzero(~asked & (costs < np.minimum(best[owner], _INK)))
-    if rest.size:
-        costs[rest] += misleading.costs(places[rest], owner[rest])
+def _crowded(choices: Sequence[Choice]) -> set[int]:
+    """The labels whose places are so bad that a leader may be better."""
+    return {i for i, c in enumerate(choices) if c.costs[c.taken] >= (_FAR if c.request.vector else INK)}
 
 
-def _add_misread(choices: Sequence[_Choice], misleading: MisleadingPlaces) -> None:
-    """Add what a place costs that is read with another arrow, where a label has moved to one that was not asked."""
-    taken = np.array([choice.place for choice in choices])
-    for i in np.flatnonzero(misleading.misread(taken, np.arange(len(choices)))).tolist():
-        choice = choices[i]
-        new = choice.costs < MISREAD
-        choice.costs[new] += MISREAD * misleading.misread(choice.places[new], np.full(int(new.sum()), i))
-
-
-def _ink_costs(occupancy: Occupancy, places: Places, boxes: NDArray[np.float64]) -> Costs:
-    """Cost of the lines under or close to the box about each place."""
-    both = np.concatenate((boxes + _TIGHT, boxes + GAP))
-    under, close = occupancy.taken(np.concatenate((places, places)), both[:, 0], both[:, 1]).reshape(2, -1)
-    result: Costs = (under > 0) * _INK + _INK_CELL * under + (close > 0) * _CLOSE
-    return result
-
-
-def _add_leaders(choices: list[_Choice], crowded: Sequence[int], occupancy: Occupancy) -> None:
-    """Add far candidates to some choices."""
-    requests = [choices[i].request for i in crowded]
-    far = [far_from(request) for request in requests]
-    count = [len(places) for places, _, _ in far]
-    places, costs, ends = (np.concatenate(parts) for parts in zip(*far, strict=True))
-    ink = _ink_costs(occupancy, places, np.array([request.box for request in requests]).repeat(count, axis=0))
-    costs += _LEADER + ink
-    # The leader from the edge of the symbol to the label: how many of its pieces run over ink. Where the label itself
-    # would stand on a line, that is no matter.
-    free = np.flatnonzero(ink < _INK)
-    clear = np.array([request.clear + 0.8 for request in requests]).repeat(count)[free]
-    steps = places[free] - ends[free]
-    start = ends[free] + clear * steps / np.abs(steps)
-    samples = start[:, None] + _ON_LEADER * (places[free] - start)[:, None]
-    cut = occupancy.taken(samples.ravel(), 0.05, 0.05).reshape(samples.shape) > 0
-    each = np.array([_CUT_BY_VECTOR if request.vector else _CUT for request in requests]).repeat(count)[free]
-    costs[free] += each * (cut[:, 0] + np.sum(cut[:, 1:] & ~cut[:, :-1], axis=1))
-    last = np.cumsum(count).tolist()
-    for i, size, end in zip(crowded, count, last, strict=True):
-        choice, own = choices[i], slice(end - size, end)
-        choice.places = np.concatenate((choice.places, places[own]))
-        choice.costs = np.concatenate((choice.costs, costs[own]))
-        choice.led = np.concatenate((choice.led, np.ones(size, dtype=bool)))
-        choice.ends = np.concatenate((choice.ends, ends[own]))
-
-
-def _resolve_overlaps(choices: list[_Choice], first: Sequence[int]) -> None:
-    """Move labels that cover each other until none does; those with the fewest good places move first."""
-    if not first:
-        return
-    order = sorted(range(len(choices)), key=lambda i: -float(choices[i].costs.min()))
-    pending = set(first)
-    standing = _Standing(choices)
-    for _ in range(_SWEEPS):
-        before = [choice.taken for choice in choices]
-        for i in (k for k in order if k in pending):
-            standing.take(i)
-            choices[i].taken = standing.best(choices[i])
-            standing.put(i, choices[i])
-        # A label that could be led to, but still lies on a line, tries again in view of what has moved.
-        stuck = {i for i, c in enumerate(choices) if c.costs[c.taken] >= _INK and c.led.any()}
-        done, pending = pending, set(_conflicting(choices)) | stuck
-        # Who has not moved would not do so in view of the same places.
-        if pending <= done and before == [choice.taken for choice in choices]:
-            return
-
-
-def _conflicting(choices: Sequence[_Choice]) -> list[int]:
-    """Labels that cover another one or read together with it."""
-    # Plain numbers: there are a few dozen pairs at most, and most are far apart.
-    known = sorted((c.place.real, c.place.imag, *c.request.box, i) for i, c in enumerate(choices))
-    widest = max(half_width for _, _, half_width, _, _ in known)
-    found: set[int] = set()
-    for number, (x, y, half_width, half_height, i) in enumerate(known):
-        for other_x, other_y, other_width, other_height, j in islice(known, number + 1, None):
-            dx, width = other_x - x, half_width + other_width
-            if dx >= half_width + widest + _BESIDE:
-                break
-            dy, height = abs(other_y - y), half_height + other_height
-            if (dx < width + _TIGHT and dy < height + _TIGHT) or (dx < width + _BESIDE and dy < 0.35 * height):
-                found |= {i, j}
-    return sorted(found)
-
-
-class _Standing:
-    """Where all labels stand now: their places, boxes and leaders."""
-
-    def __init__(self, choices: Sequence[_Choice]) -> None:
-        self._places = np.array([choice.place for choice in choices])
-        self._boxes = np.array([choice.request.box for choice in choices])
-        self._leaders = [choice.leader for choice in choices]
-
-    def take(self, i: int) -> None:
-        """Take a label away from the paper."""
-        self._places[i], self._leaders[i] = _AWAY, None
-
-    def put(self, i: int, choice: _Choice) -> None:
-        """Put a label to its chosen place."""
-        self._places[i], self._leaders[i] = choice.place, choice.leader
-
-    def best(self, own: _Choice) -> int:
-        """The candidate of a label that costs least in view of what stands."""
-        costs = self._overlaps(own)
-        best = int((own.costs + costs).argmin())
-        # What its own leaders would cross only matters where one is wanted.
-        if own.led[best]:
-            costs[own.led] += self._crossed_by_leaders(own)
-            best = int((own.costs + costs).argmin())
-        return best
-
-    def _overlaps(self, own: _Choice) -> Costs:
-        """Cost of the labels and leaders under each candidate of a label."""
-        half_width, half_height = own.request.box
-        across = np.abs(own.places.imag[:, None] - self._places.imag)
-        dx = np.abs(own.places.real[:, None] - self._places.real) - (self._boxes[:, 0] + half_width)
-        space = np.maximum(dx, across - (self._boxes[:, 1] + half_height))
-        # Letters side by side on one line read as a product.
-        product = (dx < _BESIDE) & (across < 0.7 * half_height)
-        costs: Costs = _PRODUCT * np.add.reduce(product, axis=1)
-        if (near := space < GAP).any():
-            costs += _CLOSE * np.add.reduce(near, axis=1) + _LABEL * np.add.reduce(space < _TIGHT, axis=1)
-        leaders = [leader.points for leader in self._leaders if leader]
-        if leaders:
-            box = (half_width + _TIGHT, half_height + _TIGHT)
-            costs += _LABEL * boxes_crossed(own.places, box, np.array(leaders))
-        return costs
-
-    def _crossed_by_leaders(self, own: _Choice) -> Costs:
-        """Cost of the labels that the leaders of a label would cross."""
-        boxes = self._boxes + _TIGHT
-        ways = 0.5 * (own.places[own.led] - own.ends[own.led])
-        middles = own.ends[own.led] + ways - self._places[:, None]
-        crossed: Costs = _LABEL * np.add.reduce(crosses(middles, ways, (boxes[:, :1], boxes[:, 1:])), axis=0)
-        return crossed
-
-
-def _leader(request: LabelRequest, place: complex, to: complex) -> Path | None:
-    """A thin line from the edge of the symbol to the edge of the label; none where the two nearly touch."""
-    step = place - to
-    way = step / abs(step)
+def _label(choice: Choice) -> Label:
+    request = choice.request
     half_width, half_height = request.box
-    to_edge = min(
-        half_width / abs(way.real) if way.real else np.inf, half_height / abs(way.imag) if way.imag else np.inf
-    )
-    start = to + (request.clear + (_LEADER_GAP if request.clear else 0.0)) * way
-    end = place - (to_edge + _LEADER_GAP) * way
-    if ((end - start) * way.conjugate()).real < 1.0:
-        return None
-    return Path((start, end), Layer.LABEL, THIN)
+    return Label(request.formula, choice.place, (2 * half_width, 2 * half_height), arrow=request.arrow)
+
+
+class _Papers:
+    """The figures with what is on them: arrays have a row for each label of all figures."""
+
+    def __init__(self, figures: Sequence[WantedLabels]) -> None:
+        self._requests = [request for figure in figures for request in figure.requests]
+        count = [len(figure.requests) for figure in figures]
+        self._first = [0, *accumulate(count)]  # the number of the first label of each figure
+        self._figure = np.arange(len(figures)).repeat(count)
+        self._occupancy = Occupancy([figure.segments for figure in figures])
+        strangers = [figure.strangers for figure in figures]
+        self._misleading = MisleadingPlaces(self._requests, self._figure, strangers, self._occupancy)
+
+    def near_choices(self) -> list[list[Choice]]:
+        """The candidates of all labels with their costs, by figure; of each label the best one is taken."""
+        count = [len(r.places) for r in self._requests]
+        # What is not filled costs more than anything.
+        places, costs = np.zeros((len(count), max(count)), dtype=complex), np.full((len(count), max(count)), np.inf)
+        for row, (request, size) in enumerate(zip(self._requests, count, strict=True)):
+            places[row, :size], costs[row, :size] = request.places, request.costs
+        boxes = np.array([r.box for r in self._requests])
+        costs += self._ink_costs(places, boxes[:, :1], boxes[:, 1:], self._figure[:, None])
+        self._add_misleading(places, costs)
+        best = costs.argmin(axis=1).tolist()
+        choices = [
+            Choice(request, own[:size], cost[:size], taken, complex(own[taken]))
+            for request, own, cost, size, taken in zip(self._requests, places, costs, count, best, strict=True)
+        ]
+        return [choices[start:end] for start, end in zip(self._first, self._first[1:], strict=False)]
+
+    def misread(self, choices: Sequence[Sequence[Choice]], figures: Sequence[int]) -> list[tuple[int, int]]:
+        """The labels of some figures that would be read with another arrow where they stand: figure, number there."""
+        asked = [(figure, i) for figure in figures for i in range(len(choices[figure]))]
+        if not asked:
+            return []
+        places = np.array([choices[figure][i].place for figure, i in asked])
+        found = self._misleading.misread(places, np.array([self._first[figure] + i for figure, i in asked]))
+        return [asked[number] for number in np.flatnonzero(found).tolist()]
+
+    def add_misread(self, choices: Sequence[Sequence[Choice]], figures: Sequence[int]) -> set[int]:
+        """Add what a place costs that is read with another arrow, where a label has moved to one that was not asked.
+
+        Returns those of the figures that have such a label.
+        """
+        found = self.misread(choices, figures)
+        for figure, i in found:
+            choice = choices[figure][i]
+            new = choice.costs < MISREAD
+            owner = np.full(int(new.sum()), self._first[figure] + i)
+            choice.costs[new] += MISREAD * self._misleading.misread(choice.places[new], owner)
+        return {figure for figure, _ in found}
+
+    def add_leaders(self, choices: Sequence[Sequence[Choice]], crowded: Sequence[Iterable[int]]) -> None:
+        """Add far candidates to the ``crowded`` choices of each figure."""
+        owner = [(figure, i) for figure, of in enumerate(crowded) for i in sorted(of)]
+        own = [choices[figure][i] for figure, i in owner]
+        requests = [choice.request for choice in own]
+        far = [far_from(request) for request in requests]
+        count = [len(places) for places, _, _ in far]
+        places, costs, ends = (np.concatenate(parts) for parts in zip(*far, strict=True))
+        figure = np.array([figure for figure, _ in owner]).repeat(count)
+        half_width, half_height = np.array([request.box for request in requests]).T.repeat(count, axis=1)
+        ink = self._ink_costs(places, half_width, half_height, figure)
+        costs += _LEADER + ink
+        # The leader from the edge of the symbol to the label: how many of its pieces run over ink. Where the label
+        # itself would stand on a line, that is no matter.
+        free = np.flatnonzero(ink < INK)
+        clear = np.array([request.clear + 0.8 for request in requests]).repeat(count)[free]
+        steps = places[free] - ends[free]
+        start = ends[free] + clear * steps / np.abs(steps)
+        samples = start[:, None] + _ON_LEADER * (places[free] - start)[:, None]
+        cut = self._occupancy.taken(samples, 0.05, 0.05, figure[free, None]) > 0
+        each = np.array([_CUT_BY_VECTOR if request.vector else _CUT for request in requests]).repeat(count)[free]
+        costs[free] += each * (cut[:, 0] + np.add.reduce(cut[:, 1:] & ~cut[:, :-1], axis=1))
+        for choice, size, end in zip(own, count, accumulate(count), strict=True):
+            part = slice(end - size, end)
+            choice.places = np.concatenate((choice.places, places[part]))
+            choice.costs = np.concatenate((choice.costs, costs[part]))
+            choice.ends = ends[part]
+
+    def _ink_costs(self, places: Places, half_width: Sides, half_height: Sides, figure: NDArray[np.intp]) -> Costs:
+        """Cost of the lines under or close to the box about each place; the other arrays have shapes like places."""
+        wide, high = (np.array([half + TIGHT, half + GAP]) for half in (half_width, half_height))
+        under, close = self._occupancy.taken(places, wide, high, figure)
+        result: Costs = (under > 0) * INK + _INK_CELL * under + (close > 0) * CLOSE
+        return result
+
+    def _add_misleading(self, places: Places, costs: Costs) -> None:
+        """Add what a candidate could be mistaken for, but only to those that may win; shape (labels, candidates).
+
+        The best few of each label are asked first; where one of them stays better than all others, nothing else
+        matters.
+        """
+        best = costs.argsort(axis=1, kind="stable")[:, :_FIRST]
+        label = np.arange(len(costs))[:, None]
+        low = costs[label, best] < INK
+        first = low.nonzero()[0], best[low]
+        costs[first] += self._misleading.costs(places[first], first[0])
+        least = np.minimum.reduce(costs[label, best], axis=1, keepdims=True, where=low, initial=INK)
+        rest = costs < least
+        rest[first] = False
+        if rest.any():
+            costs[rest] += self._misleading.costs(places[rest], rest.nonzero()[0])

@@ -13,7 +13,7 @@ _FEW, _SHARE = 2, 6  # leaders that do not make a drawing crowded: so many, or o
 
 def first_clean(drawings: Iterable[Drawing]) -> Drawing:
     """The first drawing without a fault of its labels, or the one with the fewest faults; there is at least one."""
-    return _first(drawings, count_label_faults)
+    return _first(drawings, lambda drawing: count_label_faults(drawing) if drawing.doubtful else 0)
 
 
 def first_roomy(drawings: Iterable[Drawing]) -> Drawing:
@@ -24,7 +24,7 @@ def first_roomy(drawings: Iterable[Drawing]) -> Drawing:
 def _crowding(drawing: Drawing) -> int:
     """Faults, buried heads, and the leaders that are too many for the labels of a drawing."""
     allowed = max(_FEW, len(drawing.labels) // _SHARE)
-    faults = count_label_faults(drawing) + len(misread_labels(drawing))
+    faults = count_label_faults(drawing) + len(misread_labels(drawing)) if drawing.doubtful else 0
     return _FAULT * faults + _BURIED * len(buried_heads(drawing)) + max(0, len(leaders(drawing)) - allowed)
 
 

@@ -1,6 +1,9 @@
-"""Where there is ink, on a grid with a summed-area table: how much of a box is taken costs four look-ups."""
+"""Where there is ink, on grids with summed-area tables: how much of a box is taken costs four look-ups."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,55 +13,74 @@ from variantgen.figure.ink import Segments, Sides
 CELL = 0.5  # side of a cell, u: below the free space that a label keeps
 _STEP = 0.75  # of samples along a segment, cells: no cell that a segment crosses in the middle is missed
 _EDGE = 2.0  # empty border, u
-_BEYOND = np.array([[0], [1], [0], [1]])  # from the cells of the bounds of a box to those that its sums end with
 
 Places = NDArray[np.complex128]
-Counts = NDArray[np.int64]
+Counts = NDArray[np.int32]
 
 
 class Occupancy:
-    """The cells of the paper that lines run through.
+    """The cells of the papers of some figures that lines run through, given the segments of each, shape (S, 2).
 
     A line is found to within one cell; outside the grid nothing is taken.
     """
 
-    def __init__(self, segments: Segments) -> None:
-        self._low, self._sums = 0j, np.zeros((1, 1), dtype=np.int32)
-        if len(segments):
-            ends = segments.ravel()
-            self._low = complex(ends.real.min() - _EDGE, ends.imag.min() - _EDGE)
-            columns = int((ends.real.max() + _EDGE - self._low.real) / CELL) + 2
-            rows = int((ends.imag.max() + _EDGE - self._low.imag) / CELL) + 2
-            cells = np.zeros((rows, columns), dtype=np.int32)
-            points = (_samples(segments) - self._low) / CELL
-            cells[points.imag.astype(np.intp) + 1, points.real.astype(np.intp) + 1] = 1
+    def __init__(self, figures: Sequence[Segments]) -> None:
+        # What has no line has a line at one place, and an empty table.
+        ends = [segments.ravel() if len(segments) else np.zeros(2, dtype=complex) for segments in figures]
+        count = np.array([len(own) for own in ends])
+        first = count.cumsum() - count
+        every = np.concatenate(ends)
+        x, y = every.real, every.imag
+        self._left, self._low = np.minimum.reduceat(x, first) - _EDGE, np.minimum.reduceat(y, first) - _EDGE
+        columns = ((np.maximum.reduceat(x, first) + _EDGE - self._left) / CELL).astype(np.int32) + 2
+        self._rows = ((np.maximum.reduceat(y, first) + _EDGE - self._low) / CELL).astype(np.int32) + 2
+        self._last_column, self._last_row = columns - 1, self._rows - 1
+        sizes = columns * self._rows
+        self._start = sizes.cumsum(dtype=np.int32) - sizes
+        points, each = _samples(every[0::2], every[1::2])
+        figure = np.arange(len(figures)).repeat(np.add.reduceat(each, first // 2))
+        column = ((points.real - self._left[figure]) / CELL).astype(np.intp) + 1
+        row = ((points.imag - self._low[figure]) / CELL).astype(np.intp) + 1
+        self._sums = np.zeros(int(sizes.sum()), dtype=np.int32)
+        self._sums[self._start[figure] + row * columns[figure] + column] = 1
+        for number, (start, size) in enumerate(zip(self._start.tolist(), sizes.tolist(), strict=True)):
+            own = self._sums[start : start + size]
+            if not len(figures[number]):
+                own[:] = 0
             # Sums along columns would cost four times as much as sums along rows: in between, the table is turned.
-            np.add.accumulate(cells, axis=1, out=cells)
-            self._sums = np.ascontiguousarray(cells.T)
-            np.add.accumulate(self._sums, axis=1, out=self._sums)
-        columns, rows = self._sums.shape
-        self._last = np.array([[columns - 1], [columns - 1], [rows - 1], [rows - 1]])
+            table = np.add.accumulate(own.reshape(self._rows[number], -1), axis=1)
+            np.add.accumulate(np.ascontiguousarray(table.T), axis=1, out=own.reshape(-1, self._rows[number]))
 
-    def taken(self, places: Places, half_width: Sides, half_height: Sides) -> Counts:
-        """Number of inked cells that the box about each place touches; half sides for all or per place, shape (P,)."""
-        x, y = places.real - self._low.real, places.imag - self._low.imag
-        bounds = np.array([x - half_width, x + half_width, y - half_height, y + half_height])
-        bounds *= 1 / CELL
-        # What is below zero becomes zero or less: the outermost cells are empty.
-        cells = bounds.astype(np.intp)
-        cells += _BEYOND
-        np.minimum(np.maximum(cells, 0, out=cells), self._last, out=cells)
-        left_and_right, low_and_high = cells[:2], cells[2:]
-        sums = self._sums.ravel().take(low_and_high[:, None] + left_and_right * self._sums.shape[1])
+    def taken(self, places: Places, half_width: Sides, half_height: Sides, figure: Any = 0) -> Counts:
+        """Number of inked cells that the box about each place touches, on the paper of each ``figure`` (number).
+
+        Half sides and figures have shapes that go with the places.
+        """
+        x, y = places.real - self._left[figure], places.imag - self._low[figure]
+        column = self._cells(x, half_width, self._last_column[figure])
+        row = self._cells(y, half_height, self._last_row[figure])
+        column *= self._rows[figure]
+        column += self._start[figure]
+        sums = self._sums.take(row[:, None] + column)
         result: Counts = sums[1, 1] - sums[0, 1] - sums[1, 0] + sums[0, 0]
         return result
 
+    @staticmethod
+    def _cells(middle: NDArray[np.float64], half: Sides, last: NDArray[np.int32]) -> NDArray[np.int32]:
+        """The cells of the low and the high side of boxes: those that sums end with; shape (2, ...)."""
+        bounds = np.array([middle - half, middle + half])
+        bounds *= 1 / CELL
+        # What is below zero becomes zero or less: the outermost cells are empty.
+        cells = bounds.astype(np.int32)
+        cells[1] += 1
+        return np.minimum(np.maximum(cells, 0, out=cells), last, out=cells)
 
-def _samples(segments: Segments) -> Places:
-    """Points along all segments, nearer to each other than a cell."""
-    start, step = segments[:, 0], segments[:, 1] - segments[:, 0]
+
+def _samples(start: Places, end: Places) -> tuple[Places, NDArray[np.intp]]:
+    """Points along all segments, nearer to each other than a cell, and how many each segment has."""
+    step = end - start
     count = (np.abs(step) / (_STEP * CELL)).astype(np.intp) + 2
     ends = count.cumsum()
     part = np.arange(ends[-1]) - (ends - count).repeat(count)
     result: Places = start.repeat(count) + part / (count - 1).repeat(count) * step.repeat(count)
-    return result
+    return result, count

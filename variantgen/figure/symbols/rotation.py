@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import Arc, Layer, RotationArc
+from variantgen.figure.placement.choices import GAP
 from variantgen.figure.placement.label_requests import along_arc, label_size
-from variantgen.figure.placement.labels import GAP
 from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.wording.formula import Symbol
 

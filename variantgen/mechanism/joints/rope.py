@@ -12,7 +12,7 @@ import numpy as np
 from variantgen.mechanism.arithmetic import Complex, Flags, Real, cross, dot
 from variantgen.mechanism.component import Angle, BodyName, PointName, Radius, Side, WordMeaning
 from variantgen.mechanism.constructions.tangent import thread_direction
-from variantgen.mechanism.rows import Joint, JointCircle, Placement, ScalarRow, Shape, Speeds
+from variantgen.mechanism.rows import Joint, JointCircle, Placement, ScalarRow, Shape, Speeds, Strand
 
 RopeSide: TypeAlias = Annotated[
     Side,
@@ -92,6 +92,17 @@ class Rope(Joint):
             return tuple(dict.fromkeys(bend.point for bend in upright if not bend.fixed))
         ends = (self.path[0], self.path[-1]) if self.path else ()
         return tuple(end.point for end in ends if end.body is None and not end.fixed)
+
+    def strands(self, at: Placement) -> tuple[Strand, ...]:
+        """The pieces at the fixed stations without a body; a parallel rope keeps its directions wherever they are."""
+        if self.parallel:
+            return ()
+        return tuple(
+            Strand(bend.point, bend.radius, other.point, ray)
+            for ends, (ray, _) in zip(pairwise(self.path), self.pieces(at), strict=True)
+            for bend, other in (ends, ends[::-1])
+            if bend.fixed and bend.body is None
+        )
 
     def sound(self, at: Placement) -> Flags:
         """No two stations overlap."""

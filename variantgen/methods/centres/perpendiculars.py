@@ -42,7 +42,7 @@ def meet(book: Book, body: str, first: Term, second: Term) -> Centre:
     centre = Centre(body, at=at)
     if at:
         book.say("perpendiculars.meet_at_point", False, at=Point(at), **facts)
-        for point in {a, b} - {at}:
+        for point in (point for point in (a, b) if point != at):
             centre.rays[point] = CentreRay(book.geometry.length(point, at), book.geometry.direction(point, at))
         return centre
     book.say("perpendiculars.meet" if first.size is not None else "perpendiculars.meet_two", False, **facts)

@@ -84,8 +84,7 @@ class Model:
 
     def hold_translating(self) -> None:
         """A body in translation along an axis keeps the other coordinate of all its points."""
-        for body in self.translating:
-            members = self.task.scene.bodies[body]
+        for members in (members for body, members in self.task.scene.bodies.items() if body in self.translating):
             for axis in (0, 1):
                 if any((p, axis) in self._constant for p in members):
                     self._constant |= {(p, axis) for p in members}

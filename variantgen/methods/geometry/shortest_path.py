@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import heapq
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from typing import Protocol
 
@@ -87,10 +87,10 @@ class ShortestPaths:
                 found.setdefault(other, []).append((name, price))
         return found
 
-    def _from(self, name: str, place: LocatedPoint) -> Iterable[str]:
-        """Neighbours that were placed before; the origin too, once coordinates are known."""
-        others = dict.fromkeys(other for other in place.neighbours() if self.rank[other] < self.rank[name])
-        return {**others, ORIGIN: None} if self._geometry.has_coordinates(name) else others
+    def _from(self, name: str, place: LocatedPoint) -> list[str]:
+        """Neighbours that were placed before, the plainest first; the origin too, once coordinates are known."""
+        others = [other for other in place.neighbours() if self.rank[other] < self.rank[name]]
+        return [*others, *([ORIGIN] if ORIGIN not in others and self._geometry.has_coordinates(name) else [])]
 
     def _price(self, name: str, other: str) -> int:
         geometry = self._geometry

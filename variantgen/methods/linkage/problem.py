@@ -192,7 +192,12 @@ class Task:
     @property
     def is_own_scene(self) -> bool:
         """Whether the mechanism is that of a file by itself, whose sheet the program makes."""
-        return self.variant.family.folder is None
+        return self.variant.family.is_scene
+
+    @property
+    def writes_laws(self) -> bool:
+        """Whether the sheet writes laws of motion as equations; the statement of a family tells them in own words."""
+        return self.is_own_scene
 
     @property
     def stated_radii(self) -> dict[str, list[float]]:

@@ -49,10 +49,10 @@ def is_uniformly_accelerated(form: Form, source: FamilyExpression) -> bool:
 def rate_of_law(task: Task, source: FamilyExpression) -> tuple[Value, Expression] | None:
     """The derivative of a law of time in an expression of the family, with its sign; the expression by that letter.
 
-    None where the expression holds no such derivative, several of them, or what cannot be written out, and where a
-    family has a statement of its own, which may speak of the law in words, without its letter.
+    None where the expression holds no such derivative, several of them, or what cannot be written out, and where the
+    sheet speaks of the law without its letter.
     """
-    if task.variant.family.folder is not None:
+    if not task.writes_laws:
         return None
     suffixes = {"_dot": 1, "_ddot": 2}
     moving = [*laws(task.form), *places(task.form)]

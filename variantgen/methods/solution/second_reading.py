@@ -159,7 +159,7 @@ def _with_letters(steps: Sequence[Step]) -> list[Step]:
         items: list[Item] = []
         for item in step.items:
             if isinstance(item, Derived) and item.law is not None:
-                for name in _rates_in(item.law) - met:
+                for name in (name for name in _rates_in(item.law) if name not in met):
                     facts: dict[str, Fact] = {"rate": name, "body": Body(name.of)}
                     items.append(Sentence(f"rates.called_{name.kind}", facts, detail=False))
                     met.add(name)
@@ -170,10 +170,10 @@ def _with_letters(steps: Sequence[Step]) -> list[Step]:
     return kept
 
 
-def _rates_in(expression: Expression) -> set[Name]:
-    """The names of angular velocities and accelerations that are not given."""
-    names = {value.name for value in parts(expression) if value.name is not None}
-    return {name for name in names if name.kind in ("omega", "epsilon")}
+def _rates_in(expression: Expression) -> list[Name]:
+    """The names of angular velocities and accelerations that are not given, in the order of reading."""
+    names = dict.fromkeys(value.name for value in parts(expression) if value.name is not None)
+    return [name for name in names if name.kind in ("omega", "epsilon")]
 
 
 def _without_known_directions(steps: Sequence[Step]) -> list[Step]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import Any
 
 from variantgen.figure.drawing import LETTER, Drawing, Label
-from variantgen.outputs.typst.fragments import LetterLine
+from variantgen.outputs.typst.fragments import FragmentTable, LetterLine
 from variantgen.outputs.typst.markup import Lettered, markup
 from variantgen.outputs.typst.set_formulas import set_label
 
@@ -19,7 +19,7 @@ class FigureLabels(Lettered):
     def __init__(self, drawing: Drawing) -> None:
         self._drawing = drawing
 
-    def data(self, letters: bool) -> dict[str, Any]:
+    def data(self, letters: bool, table: FragmentTable | None = None) -> dict[str, Any]:
         """``letters`` are fragments of a line along the top of the figure, ``markup`` the labels without letters.
 
         A label is the place of its middle (x, y in u, y down) and its markup.
@@ -37,7 +37,8 @@ class FigureLabels(Lettered):
             line.space(start - x)
             line.extend(made.fragments, up=middle.imag - (made.highest + made.lowest) / 2)
             x = start + made.width - made.rest
-        return {"letters": line.found(), "markup": others}
+        fragments = line.found()
+        return {"letters": fragments if table is None else table.numbers(fragments), "markup": others}
 
     def _with_markup(self, label: Label) -> list[Any]:
         y = self._drawing.height - label.at.imag

@@ -2,7 +2,7 @@
 
 The widths of formulas are known before anything is laid out. A row that is longer than the line is broken between its
 formulas, and a formula that is longer before its signs; a piece that is longer is set smaller. Lengths in em of the
-text of solutions (9.5 pt); columns and the page have the widths that ``solution.typ`` gives them.
+text of solutions.
 """
 
 from __future__ import annotations
@@ -11,13 +11,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from variantgen.outputs.typst.fragments import FULL, LetterLine, rounded
+from variantgen.exam import solution_paper
+from variantgen.exam.solution_paper import EM, WIDTH
+from variantgen.outputs.typst.fragments import FULL, FragmentTable, LetterLine, rounded
 from variantgen.outputs.typst.markup import Lettered, Piece
 from variantgen.outputs.typst.set_formulas import set_piece
 from variantgen.outputs.typst.widths import formula_width
 
-_EM = 9.5 * 25.4 / 72  # mm
-COLUMN, PAGE = 87.0 / _EM, 180.0 / _EM
+COLUMN, PAGE = solution_paper.COLUMN / EM, WIDTH / EM
 _FIRST, _NEXT = 1.4, 3.8  # indents of a formula and of its further lines
 _LEAST = 0.72  # what would become smaller in a column has the width of the page
 _BETWEEN_PIECES, _BETWEEN_FORMULAS = 0.25, 1.6
@@ -62,7 +63,7 @@ class Line:
         self.items.append((0.0, mark, None))
         self.end += _STOP
 
-    def data(self, letters: bool) -> list[Any]:
+    def data(self, letters: bool, table: FragmentTable | None = None) -> list[Any]:
         """Indent, scale, lowest and highest ink of what is taller than a line of text, fragments."""
         found = LetterLine()
         for gap, sign, piece in self.items:
@@ -76,7 +77,9 @@ class Line:
                 found.space(made.rest)
             elif piece:
                 found.put((piece,))
-        return [self.indent, round(self.scale, 3), self.bottom, self.top, found.found()]
+        fragments = found.found()
+        told = fragments if table is None else table.numbers(fragments)
+        return [self.indent, round(self.scale, 3), self.bottom, self.top, told]
 
 
 @dataclass(frozen=True)
@@ -86,13 +89,13 @@ class Row(Lettered):
     wide: bool
     lines: Sequence[Line]
 
-    def data(self, letters: bool) -> dict[str, Any]:
+    def data(self, letters: bool, table: FragmentTable | None = None) -> dict[str, Any]:
         """Its lines and its height (em), which is negative if the engine has to measure it."""
         known = letters and all(line.known for line in self.lines)
         return {
             "wide": self.wide,
             "high": rounded(self.high) if known else -1,
-            "lines": [line.data(letters) for line in self.lines],
+            "lines": [line.data(letters, table) for line in self.lines],
         }
 
     @property

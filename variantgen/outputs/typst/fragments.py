@@ -2,17 +2,18 @@
 
 A fragment is a string (letters of full size on the line), a number (a space, em), letters that are raised or smaller,
 a sign that grows or a bar, which take no room, or the markup of a formula that is left to the engine. The fewer there
-are, the less the engine has to do: letters of one style are one fragment, also across spaces that the font has.
+are, the less the engine has to do: letters of one style are one fragment, also across spaces that the font has. Two
+thirds of those of a document come again in it: each is made once, and told by its number.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from functools import cache
+from collections.abc import Iterable, Sequence
+from functools import cache, lru_cache
 from typing import Any, cast
 
-from variantgen.figure.glyphs import STRETCHED, glyph, glyph_names, kerning
-from variantgen.figure.letter_run import SCALE, PlacedGlyph
+from variantgen.figure.glyphs import STRETCHED, glyph, glyph_names
+from variantgen.figure.letter_run import SCALE, Letters, PlacedLetters, follows
 from variantgen.figure.lettering import Lettering
 
 _DIGITS = 4
@@ -28,10 +29,10 @@ FULL = (0.0, 1.0, 0)  # letters of full size on the line
 
 # How far up (em), size, the level that letters are cut for.
 Style = tuple[float, float, int]
-Letters = tuple[float, float, int, str]
+Text = tuple[float, float, int, str]
 # How far up, name of a sign or width of a bar.
 Mark = tuple[float, str | float]
-Fragment = str | float | Letters | Mark | tuple[str]
+Fragment = str | float | Text | Mark | tuple[str]
 
 
 class LetterLine:
@@ -92,6 +93,22 @@ class LetterLine:
         return rounded(gap) if gap else gap
 
 
+class FragmentTable:
+    """The fragments of a document, each of which the engine makes once: lines have their numbers."""
+
+    def __init__(self) -> None:
+        self._numbers: dict[Fragment, int] = {}
+
+    def numbers(self, line: Iterable[Fragment]) -> list[int]:
+        """The numbers of the fragments of a line."""
+        known = self._numbers
+        return [known.setdefault(fragment, len(known)) for fragment in line]
+
+    def lines(self) -> list[tuple[Fragment]]:
+        """The fragments in the order of their numbers, each as a line of its own."""
+        return [(fragment,) for fragment in self._numbers]
+
+
 def _between(gap: float, style: Style) -> str | None:
     """What stands for a space between letters of one style, if they can be one fragment."""
     if not gap:
@@ -100,7 +117,7 @@ def _between(gap: float, style: Style) -> str | None:
 
 
 def _text(fragment: Fragment) -> str:
-    return fragment if isinstance(fragment, str) else cast(Letters, fragment)[3]
+    return fragment if isinstance(fragment, str) else cast(Text, fragment)[3]
 
 
 def _style(fragment: Fragment) -> Style | None:
@@ -110,27 +127,23 @@ def _style(fragment: Fragment) -> Style | None:
 
 
 def fragments_of(lettering: Lettering) -> tuple[tuple[Fragment, ...], float]:
-    """The glyphs and bars of a formula, and where the last of them ends.
+    """The letters and bars of a formula, and where the last of them ends.
 
     Letters after each other are one fragment, which the engine spaces itself.
     """
-    words: list[list[PlacedGlyph]] = []
-    for placed in lettering.glyphs:
-        if words and _follows(words[-1][-1], placed):
-            words[-1].append(placed)
-        else:
-            words.append([placed])
     line = LetterLine()
     end = 0.0
-    for word in words:
-        first, last = word[0], word[-1]
-        line.space(first.at.real - end)
-        end = first.at.real
-        if first.glyph.name[1] == STRETCHED:
-            line.put((rounded(first.at.imag), first.glyph.name))
+    for word in _words(lettering.letters):
+        (first, start), (last, at) = word[0], word[-1]
+        line.space(start.real - end)
+        if first.glyphs[0].name[1] == STRETCHED:
+            line.put((rounded(start.imag), first.glyphs[0].name))
+            end = start.real
         else:
-            line.letters(*_letters(word))
-            end = last.at.real + last.glyph.advance
+            size, level, text = _written(first)
+            text += "".join([_written(more)[2] for more, _ in word[1:]])
+            line.letters((rounded(start.imag), size, level), text)
+            end = at.real + last.end
     for bar in lettering.bars:
         line.space(bar.at.real - end)
         line.put((rounded(bar.at.imag), rounded(bar.width)))
@@ -138,23 +151,31 @@ def fragments_of(lettering: Lettering) -> tuple[tuple[Fragment, ...], float]:
     return line.found(), end
 
 
-def _follows(before: PlacedGlyph, after: PlacedGlyph) -> bool:
-    one, other = before.glyph, after.glyph
-    if one.scale != other.scale or one.name[:2] != other.name[:2] or one.name[1] == STRETCHED:
-        return False
-    gap = one.advance
-    if one.name[1] == "u":
-        gap += one.scale * kerning(one.name[2:], other.name[2:])
-    return abs(before.at + gap - after.at) < 1e-9
+def _words(row: Sequence[PlacedLetters]) -> list[list[PlacedLetters]]:
+    """Letters that follow each other, together."""
+    found: list[list[PlacedLetters]] = []
+    for placed in row:
+        if found and _goes_on(found[-1][-1], placed):
+            found[-1].append(placed)
+        else:
+            found.append([placed])
+    return found
 
 
-def _letters(word: Sequence[PlacedGlyph]) -> tuple[Style, str]:
-    glyph, at = word[0]
-    level, upright = int(glyph.name[0]), glyph.name[1] == "u"
-    letters = "".join([placed.glyph.name[2:] for placed in word])
-    if upright:
-        return (rounded(at.imag), glyph.scale, 0), letters
-    return (rounded(at.imag), SCALE[level], level), italic(letters)
+def _goes_on(before: PlacedLetters, after: PlacedLetters) -> bool:
+    (one, here), (other, there) = before, after
+    return follows(one.glyphs[-1], other.glyphs[0], there - here - one.places[-1])
+
+
+@lru_cache(maxsize=10_000)
+def _written(letters: Letters) -> tuple[float, int, str]:
+    """Their size, the level that they are cut for, and the letters as the font has them."""
+    first = letters.glyphs[0]
+    text = "".join([glyph.name[2:] for glyph in letters.glyphs])
+    if first.name[1] == "u":
+        return first.scale, 0, text
+    level = int(first.name[0])
+    return SCALE[level], level, italic(text)
 
 
 def rounded(length: float) -> float:

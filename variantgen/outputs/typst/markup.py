@@ -9,6 +9,7 @@ from abc import ABC, abstractmethod
 from functools import lru_cache
 from typing import Any
 
+from variantgen.outputs.typst.fragments import FragmentTable
 from variantgen.wording.formula import Formula, UnitText, to_plain, to_typst
 
 
@@ -45,8 +46,8 @@ class Lettered(ABC):
     """What documents without tags have as letters at their places, and others with the markup of formulas."""
 
     @abstractmethod
-    def data(self, letters: bool) -> Any:
-        """The data for templates."""
+    def data(self, letters: bool, table: FragmentTable | None = None) -> Any:
+        """The data for templates; fragments by their numbers in the ``table`` of the document, if it has one."""
 
 
 @lru_cache(maxsize=10_000)

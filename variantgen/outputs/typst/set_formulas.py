@@ -7,12 +7,13 @@ letters at the same places. Documents with tags have equations, which are read o
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from typing import Any, NamedTuple
 
 from variantgen.figure.letter_run import UNKNOWN
-from variantgen.figure.lettering import typeset
-from variantgen.outputs.typst.fragments import Fragment, fragments_of, rounded
+from variantgen.figure.lettering import lettering
+from variantgen.outputs.typst.fragments import Fragment, FragmentTable, fragments_of, rounded
 from variantgen.outputs.typst.markup import Piece, TypstMarkup, marked
 from variantgen.wording.formula import (
     Equation,
@@ -59,6 +60,14 @@ def set_formulas(data: Any, longer: bool = False) -> dict[str, SetFormula]:
     }
 
 
+def told(formulas: Mapping[str, SetFormula], table: FragmentTable) -> dict[str, Sequence[Any]]:
+    """The same for templates, with the numbers of fragments."""
+    return {
+        name: (width, lowest, highest, table.numbers(fragments), rest)
+        for name, (width, lowest, highest, fragments, rest) in formulas.items()
+    }
+
+
 def set_width(markup: TypstMarkup) -> float | None:
     """The width of a formula (em), or None for one that is left to the engine."""
     made = _set(markup.formulas)
@@ -87,10 +96,10 @@ def _set(formulas: tuple[Formula, ...], longer: bool = False) -> SetFormula | No
 
 def _typeset(formulas: tuple[Formula, ...], display: bool = False) -> SetFormula | None:
     try:
-        found = typeset(*formulas, display=display)
+        found = lettering(formulas, display)
     except (KeyError, TypeError):  # what the table has no letters for
         return None
-    if UNKNOWN in [placed.glyph.name for placed in found.glyphs]:
+    if any(glyph.name == UNKNOWN for letters, _ in found.letters for glyph in letters.glyphs):
         return None
     fragments, end = fragments_of(found)
     width, rest = rounded(found.width), rounded(found.width - end)

@@ -12,12 +12,12 @@ from dataclasses import dataclass, field, replace
 from itertools import islice
 from typing import Any
 
-TEXT_HEIGHT = 267.0  # as solution.typ has it
-_COLUMN, _GUTTER = 87.0, 6.0
+from variantgen.exam.solution_paper import BETWEEN_COLUMNS, COLUMN, EM, HEIGHT
+
 _ABOUT_COLUMNS, _LEAST_COLUMNS = 2.4, 12.0
 _ABOUT_FIGURE, _UNDER_FIGURE = 3.0, 1.6
 _ABOVE_HEADING, _BELOW_HEADING = (6.0, 3.5), 2.5  # the first one below something else, then at the head of a page
-_BELOW_HEAD = 1.2 * 9.5 * 25.4 / 72
+_BELOW_HEAD = 1.2 * EM
 _HALVINGS = 5
 # Where less than this part of the last page is taken, figures become smaller, if then there is no such page.
 _LITTLE = 0.35
@@ -115,7 +115,7 @@ class _Pages:
     def put_columns(self, problem: int, found: _Columns) -> None:
         """Set two columns."""
         top = self.under(_ABOUT_COLUMNS)
-        for column, x in ((found.left, 0.0), (found.right, _COLUMN + _GUTTER)):
+        for column, x in ((found.left, 0.0), (found.right, COLUMN + BETWEEN_COLUMNS)):
             for block, y in column.items:
                 self.pages[-1].append((block.kind, problem, block.number, x, round(top + y, 4), block.unit))
         self.y, self.below = top + found.high, _ABOUT_COLUMNS
@@ -164,7 +164,7 @@ def _figure(number: int, sizes: Sequence[float], caption: float) -> Block:
     return Block("figure", number, high, _ABOUT_FIGURE, _ABOUT_FIGURE, unit=unit, least=least, drawn=drawn)
 
 
-def pages_of(head: float, problems: Sequence[ProblemBlocks], room: float = TEXT_HEIGHT) -> dict[str, Any]:
+def pages_of(head: float, problems: Sequence[ProblemBlocks], room: float = HEIGHT) -> dict[str, Any]:
     """The pages for the template: what stands on each, how high it is on the last one, and the parts of all units."""
     found = _laid(head, problems, room)
     if len(found.pages) > 1 and found.y < _LITTLE * room:
@@ -284,6 +284,6 @@ def _column(units: Sequence[Block], waiting: Sequence[Block], room: float, force
     return _Column(items, y, units[taken:], left)
 
 
-def is_too_high(problems: Sequence[ProblemBlocks], room: float = TEXT_HEIGHT) -> bool:
+def is_too_high(problems: Sequence[ProblemBlocks], room: float = HEIGHT) -> bool:
     """Whether a unit is higher than a page."""
     return any(block.high > room for problem in problems for block in problem.units)

@@ -20,18 +20,19 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, cast
 
 from variantgen.errors import ToolMissingError, VariantgenError
+from variantgen.exam.solution_paper import FOR_TEMPLATES, HEIGHT
 from variantgen.figure.drawing import Drawing
-from variantgen.outputs.typst.fragments import signs
+from variantgen.outputs.typst.fragments import FragmentTable, signs
 from variantgen.outputs.typst.markup import Lettered, alternatives
-from variantgen.outputs.typst.set_formulas import set_formulas
-from variantgen.outputs.typst.solution_pages import TEXT_HEIGHT, contents_of, is_too_high, pages_of
+from variantgen.outputs.typst.set_formulas import set_formulas, told
+from variantgen.outputs.typst.solution_pages import contents_of, is_too_high, pages_of
 from variantgen.resources import templates_dir
 
 if TYPE_CHECKING:
     import typst
 
 # Templates for solutions, with the height of a page (mm): that of a single problem is as long as it needs to be.
-_ROOMS = {"solutions.typ": TEXT_HEIGHT, "explained.typ": 5000.0}
+_ROOMS = {"solutions.typ": HEIGHT, "explained.typ": 5000.0}
 _EPOCH = datetime.datetime(2000, 1, 1, tzinfo=datetime.UTC)
 
 
@@ -41,10 +42,11 @@ class TypesettingError(VariantgenError):
 
 @dataclass(frozen=True)
 class Typesetter:
-    """A folder with the templates, alone for the engine, and what has been measured with them."""
+    """A folder with the templates, alone for the engine, what has been measured with them, and what is in its files."""
 
     root: Path
     measured: dict[str, dict[str, float]] = field(default_factory=dict, compare=False, repr=False)
+    written: dict[str, str] = field(default_factory=dict, compare=False, repr=False)
 
     def compile(
         self,
@@ -61,11 +63,14 @@ class Typesetter:
         those of PDF that it conforms to. Raises TypesettingError where the engine refuses the template.
         """
         known: dict[str, Any] = {}
-        if form == "pdf" and tagged:
-            known = {"alternatives": alternatives(data)}
+        table = FragmentTable() if form == "pdf" and not tagged else None
+        text = _json(data, table, spoken=form == "pdf" and tagged)
+        if table:
+            known["set-formulas"] = told(set_formulas(data, longer=template in _ROOMS), table)
+            known["fragments"] = table.lines()
         elif form == "pdf":
-            known = {"set-formulas": set_formulas(data, longer=template in _ROOMS)}
-        inputs = self._inputs(form, _json(data, form == "pdf", tagged), known)
+            known["alternatives"] = alternatives(data)
+        inputs = self._inputs(form, text, known)
         try:
             if template in _ROOMS:
                 inputs = self._with_pages(inputs, _ROOMS[template])
@@ -88,10 +93,11 @@ class Typesetter:
     def _with_pages(self, inputs: dict[str, str], room: float) -> dict[str, str]:
         """The inputs with the pages of a solution, for which the engine measures what stands on them.
 
-        The names of the inputs are the same while it measures: what they lead to is then remembered.
+        The names of the inputs are the same while it measures, when there are no pages yet: what they lead to is then
+        remembered.
         """
         for parted in ("no", "yes"):
-            inputs = {**inputs, "pages": self._written("pages", "{}"), "parted": parted}
+            inputs = {**inputs, "pages": _file("pages"), "parted": parted}
             head, problems = contents_of(self._asked("solution_heights.typ", inputs))
             if not is_too_high(problems):
                 break
@@ -119,13 +125,20 @@ class Typesetter:
 
     def _written(self, name: str, text: str) -> str:
         """The name of the file of this process that has some text now."""
-        file = f"{name}-{os.getpid()}.json"
-        (self.root / file).write_text(text, "utf-8")
+        file = _file(name)
+        if self.written.get(file) != text:  # most inputs are those of the document before
+            (self.root / file).write_text(text, "utf-8")
+            self.written[file] = text
         return file
 
     def _told(self, inputs: Mapping[str, str]) -> dict[str, str]:
         """All inputs in one file: the engine takes several for others than before, as their order changes."""
         return {"inputs": self._written("inputs", _json(inputs))}
+
+
+def _file(name: str) -> str:
+    """The file of this process with what is called so."""
+    return f"{name}-{os.getpid()}.json"
 
 
 @lru_cache(maxsize=1)
@@ -145,13 +158,16 @@ def _asking(root: Path, template: str, names: str) -> typst.Compiler:
     return typst.Compiler(root / template, root=root, font_paths=[], ignore_system_fonts=True, sys_inputs=inputs)
 
 
-def _json(data: Any, pdf: bool = True, tagged: bool = False) -> str:
-    """The data as text. Drawings stand for their words, which only documents with tags hold."""
+def _json(data: Any, table: FragmentTable | None = None, spoken: bool = False) -> str:
+    """The data as text: with letters by the ``table`` of the document's fragments, if it has one, else with equations.
+
+    Drawings stand for their words, which only documents that are read out, with tags, hold.
+    """
 
     def shown(item: Drawing | Lettered) -> Any:
         if isinstance(item, Lettered):
-            return item.data(letters=pdf and not tagged)
-        return item.alt if pdf and tagged else ""
+            return item.data(letters=table is not None, table=table)
+        return item.alt if spoken else ""
 
     return json.dumps(data, ensure_ascii=False, separators=(",", ":"), default=shown)
 
@@ -168,5 +184,6 @@ def typesetter() -> Iterator[Typesetter]:
     with tempfile.TemporaryDirectory(prefix="variantgen-") as folder:
         for path in sorted((templates_dir() / "typst").glob("*.typ")):
             shutil.copyfile(path, Path(folder) / path.name)
-        (Path(folder) / "signs.json").write_text(_json(signs()), "utf-8")
+        for name, data in (("signs", signs()), ("measures", FOR_TEMPLATES)):
+            (Path(folder) / f"{name}.json").write_text(_json(data), "utf-8")
         yield Typesetter(Path(folder))

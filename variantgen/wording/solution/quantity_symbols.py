@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from variantgen.algebra.name import ON_LINE, Name
 from variantgen.families.family import Form
 from variantgen.families.quantities import split_name
-from variantgen.mechanism.joints.slot import Slot
+from variantgen.mechanism.linkage import Linkage
 from variantgen.wording.formula import Dotted, Formula, FormulaList, Function, Index, Quotient, Symbol, Vector
 from variantgen.wording.formula.tree import ANGLE
 from variantgen.wording.language import Language, on_line
@@ -153,11 +153,9 @@ class Symbols:
 
         About the centre of a round slot it is that of the point itself, whose distance is constant.
         """
-        for template in (template for template in self.form.joints if template.component is Slot):
-            members = self.form.bodies.get(template.fields.get("body", ""), ())
-            if template.fields.get("point") == name.of and name.about in members and name.of not in members:
-                return True
-        return False
+        bodies = self.form.bodies
+        straight = (path.body for path in Linkage(self.form.sample).slides if path.point == name.of and path.line)
+        return any(name.about in bodies[body] and name.of not in bodies[body] for body in straight)
 
     def _words(self, name: Name) -> tuple[Index, ...]:
         """What an index says of a compound motion: relative, transport, Coriolis."""

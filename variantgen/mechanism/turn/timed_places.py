@@ -50,7 +50,7 @@ class _Table(NamedTuple):
     area: Numbers
 
 
-class Ways:
+class TimedPlaces:
     """The place by the time of N variants from ``first`` to ``last`` (SI), shape (N,).
 
     ``end`` (s), shape (N,), is the instant of the last place, infinite where it is not reached.

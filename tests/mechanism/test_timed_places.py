@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from variantgen.families.ways import Chosen, Numbers, Ways
+from variantgen.mechanism.turn.timed_places import Chosen, Numbers, TimedPlaces
 
 K: NDArray[np.float64] = np.linspace(0.5, 3.0, 40)
 V: NDArray[np.float64] = np.linspace(4.0, 8.0, 40)[::-1]
@@ -16,13 +16,13 @@ ONE = np.ones_like(K)
 InTime = Callable[[Numbers, Numbers, Numbers], Numbers]
 
 
-def _ways(velocity: InTime, acceleration: InTime, first: float, last: float) -> Ways:
+def _ways(velocity: InTime, acceleration: InTime, first: float, last: float) -> TimedPlaces:
     """Velocity and acceleration by k, v and the place."""
 
     def rates(chosen: Chosen, s: Numbers) -> tuple[Numbers, Numbers]:
         return velocity(K[chosen], V[chosen], s), acceleration(K[chosen], V[chosen], s)
 
-    return Ways(rates, first * ONE, last * ONE)
+    return TimedPlaces(rates, first * ONE, last * ONE)
 
 
 def _swing(k: Numbers, v: Numbers, s: Numbers) -> Numbers:
