@@ -67,8 +67,7 @@ class PrintedNumbers(Struct, dict=True):
                 yield value.name, self._value(value)
             yield from self._equation(item)
             for term in _terms(item):
-                key = term.name, term.size, term.angle, term.way.key if term.size is None else ""
-                if key not in self._pointed:
+                if (key := (term.name, term.size, term.angle, term.way.key)) not in self._pointed:
                     self._pointed.add(key)
                     yield term.name, self._term(term)
                 if term.size is None and term.way.key != _ANYWHERE:
@@ -218,8 +217,7 @@ class PrintedNumbers(Struct, dict=True):
 
     def _projections(self, side: float, share: Share) -> list[complex]:
         """What stands in a projected equation, with the sign of its side."""
-        factor = share.factor
-        cosine = 1.0 if factor is None else factor.number(True)
+        cosine = 1.0 if (factor := share.factor) is None else factor.number(True)
         sizes = [(vector / _vector(1.0, share.term)).real for vector in self._meant(share.term)]
         return [complex(side * share.sign * size * cosine) for size in sizes]
 
