@@ -17,7 +17,6 @@ import sys
 import tempfile
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
@@ -26,19 +25,21 @@ from benchmarks.exams import FIVE_FAMILIES
 from benchmarks.measure import Clock, machine_line, write_beside
 from benchmarks.sheets import drawn_sheets
 from variantgen.builder import build
-from variantgen.exam.content import Content, PosedProblem, SolvedProblem
+from variantgen.exam.content import Content, PosedProblem, Written, with_figures
 from variantgen.exam.exam_file import Exam, read_exam
 from variantgen.exam.roster import numbered
 from variantgen.exam.sheets import Sheet, solve_all
-from variantgen.exam.solution_figures import SolutionFigures, view_order
 from variantgen.families.reading.folders import family_names
-from variantgen.figure.build import statement_figure
+from variantgen.figure.build import draw_statement
+from variantgen.figure.draft import all_made
+from variantgen.figure.drawing import Drawing
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import task_of
 from variantgen.outputs.documents.key_data import key_by_problem, key_by_student
 from variantgen.outputs.documents.sheet_data import sheets_data
 from variantgen.outputs.documents.solution_data import problem_data, solutions_data
 from variantgen.outputs.formats import STUDENTS_PER_PART
+from variantgen.outputs.typst.markup import Lettered
 from variantgen.outputs.typst.sheet_pages import with_pages
 from variantgen.outputs.typst.typesetter import Typesetter, typesetter
 from variantgen.outputs.typst.writing import TYPST
@@ -65,26 +66,37 @@ def measure_solutions(exam: Exam, sheets: Sequence[Sheet], clock: Clock) -> None
     language = exam.explained
     items = [item for sheet in sheets for item in sheet.items]
     with clock.measuring(SOLVING):
-        solved = solve_all([item.variant for item in items], [item.asked for item in items])
+        solved = iter(solve_all([item.variant for item in items], [item.asked for item in items]))
     made: list[dict[str, Any]] = []
-    for item, (motion, place) in zip(items, solved, strict=True):
+    for sheet in sheets:
+        places = [next(solved) for _ in sheet.items]
         with clock.measuring(STATEMENT):
-            drawing = statement_figure(item.variant, motion, place, item.asked, language)
-            known = {id(drawing): TYPST.figure(drawing)}
-        with clock.measuring(METHODS):
-            task = task_of(item.variant, motion, place, item.asked)
-            found = solution(task)
-        with clock.measuring(TEXT):
-            text = written(task, found, language)
-        posed = PosedProblem(item, statement(item.variant, item.asked, language), drawing)
-        figures = SolutionFigures(item.variant, item.asked, language, (motion, place), drawing, text)
+            makings = [
+                draw_statement(item.variant, *place, item.asked, language)
+                for item, place in zip(sheet.items, places, strict=True)
+            ]
+            drawings = all_made(makings)
+            known = {id(drawing): TYPST.figure(drawing) for drawing in drawings}
+        written_of = []
+        for item, place, drawing in zip(sheet.items, places, drawings, strict=True):
+            with clock.measuring(METHODS):
+                task = task_of(item.variant, *place, item.asked)
+                found = solution(task)
+            with clock.measuring(TEXT):
+                text = written(task, found, language)
+            posed = PosedProblem(item, statement(item.variant, item.asked, language), drawing)
+            written_of.append(Written(item.variant, item.asked, place, text, posed))
         with clock.measuring(FIGURES):
-            figures.draw(view_order(text))
+            problems = with_figures(written_of, language)
         with clock.measuring(DATA):
-            problem = SolvedProblem(item.variant, posed.statement, text, figures.rows(), figures.numbers)
-            made.append(problem_data(problem, language, TYPST, known))
+            made += [problem_data(problem, language, TYPST, known) for problem in problems]
     with clock.measuring(JSON):
-        json.dumps(made, ensure_ascii=False, separators=(",", ":"), default=attrgetter("alt"))
+        json.dumps(made, ensure_ascii=False, separators=(",", ":"), default=_untagged)
+
+
+def _untagged(item: Drawing | Lettered) -> Any:
+    """What stands for drawings and letters in the data of a document on paper."""
+    return item.data(letters=True) if isinstance(item, Lettered) else ""
 
 
 def typesetting_cost(exam: Path, students: int) -> Clock:

@@ -2,19 +2,28 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
+from numpy.typing import NDArray
 
 from variantgen.figure.drawing import Arc, Layer
 from variantgen.figure.ink import boxes_crossed, gaps_to_box
-from variantgen.figure.placement.label_requests import along_arrow, along_line, around
-from variantgen.figure.placement.labels import place_labels
+from variantgen.figure.placement.label_requests import LabelRequest, along_arrow, along_line, around
+from variantgen.figure.placement.labels import Placed, WantedLabels, place_labels
 from variantgen.figure.placement.occupancy import CELL, Occupancy
 from variantgen.figure.sketch import Sketch
 from variantgen.wording.formula import Index, Symbol
 
 A, B = Symbol("A"), Symbol("B")
+
+
+def placed(requests: Sequence[LabelRequest], segments: NDArray[np.complex128], strangers: Sequence[complex]) -> Placed:
+    """The labels of one figure."""
+    (found,) = place_labels([WantedLabels(requests, segments, strangers)])
+    return found
 
 
 def test_boxes_and_segments() -> None:
@@ -27,7 +36,7 @@ def test_a_label_keeps_off_lines() -> None:
     # A fan of lines fills everything but the lower left.
     fan = [40 * np.exp(1j * angle) for angle in np.linspace(-1.2, 2.8, 40)]
     segments = np.array([[0j, end] for end in fan])
-    (label,), leaders, _ = place_labels([around(A, 0j, 1.0)], segments, [0j])
+    (label,), leaders, _ = placed([around(A, 0j, 1.0)], segments, [0j])
     assert not leaders
     assert boxes_crossed(np.array([label.at]), (label.size[0] / 2, label.size[1] / 2), segments).tolist() == [0]
     assert label.at.real < 0
@@ -36,7 +45,7 @@ def test_a_label_keeps_off_lines() -> None:
 
 def test_labels_of_coinciding_wishes_are_spread() -> None:
     requests = [around(Symbol(letter), complex(0.5 * i), 1.0) for i, letter in enumerate("ABCDE")]
-    labels = place_labels(requests, np.zeros((0, 2), dtype=complex), []).labels
+    labels = placed(requests, np.zeros((0, 2), dtype=complex), []).labels
     for i, one in enumerate(labels):
         for other in labels[:i]:
             gap = one.at - other.at
@@ -48,15 +57,15 @@ def test_labels_of_coinciding_wishes_are_spread() -> None:
 def test_same_input_same_places() -> None:
     requests = [around(A, 0j, 1.0), along_line(Symbol("omega", (Index("AB"),)), 0j, 20 + 5j), around(B, 20 + 5j, 1.0)]
     segments = np.array([[0j, 20 + 5j]])
-    first = place_labels(requests, segments, [0j, 20 + 5j])
-    assert place_labels(requests, segments, [0j, 20 + 5j]) == first
+    first = placed(requests, segments, [0j, 20 + 5j])
+    assert placed(requests, segments, [0j, 20 + 5j]) == first
 
 
 def test_a_label_without_room_is_led_to() -> None:
     # Short strokes all around the point leave no free place near it.
     ways = np.exp(1j * np.linspace(0, 2 * np.pi, 60, endpoint=False))
     segments = np.stack((1.5 * ways, 9.0 * ways), axis=1)
-    (label,), (leader,), _ = place_labels([around(A, 0j, 1.0)], segments, [0j])
+    (label,), (leader,), _ = placed([around(A, 0j, 1.0)], segments, [0j])
     half = (label.size[0] / 2, label.size[1] / 2)
     assert boxes_crossed(np.array([label.at]), half, segments).tolist() == [0]
     # The leader begins at the symbol, points at its centre, and ends at the letter.
@@ -78,7 +87,7 @@ def test_no_ink_is_missed_by_the_grid(ends: list[tuple[float, float, float, floa
     rng = np.random.default_rng(seed)
     places = rng.uniform(-50, 50, 200) + 1j * rng.uniform(-50, 50, 200)
     half = rng.uniform(0.5, 4.0, (200, 2))
-    found = Occupancy(segments).taken(places, half[:, 0], half[:, 1])
+    found = Occupancy([segments]).taken(places, half[:, 0], half[:, 1])
     for place, (hx, hy), cells in zip(places, half, found, strict=True):
         crossed = boxes_crossed(np.array([place]), (hx, hy), segments)[0]
         # The corner of a cell may be cut unseen; nothing else is missed, and nothing far is counted.
@@ -105,7 +114,7 @@ def test_the_letter_of_an_arrow_is_led_to_rather_than_far_away() -> None:
     v = [Symbol("v", (Index(letter),)) for letter in "AB"]
     arrows = [along_arrow(v[0], 0j, 5 + 0j), along_arrow(v[1], 9 + 0j, 20 + 0j)]
     walls = [(-3 + 1j * y, 8 + 1j * y) for y in (1.5, -1.5, 4.0, -4.0)] + [(8 - 9j, 8 + 9j)]
-    (label, _), leaders, _ = place_labels(arrows, np.array([(0, 5), (9, 20), *walls]), [])
+    (label, _), leaders, _ = placed(arrows, np.array([(0, 5), (9, 20), *walls]), [])
     assert label.formula == v[0]
     assert [leader.points[0] for leader in leaders] == [5 + 0j]
 

@@ -8,13 +8,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING
+from itertools import repeat
+from typing import TYPE_CHECKING, NamedTuple
 
 from variantgen.errors import InputError
 from variantgen.exam.exam_file import Exam
 from variantgen.exam.sheets import Item, Sheet, solve_all
 from variantgen.families.quantities import Quantity
-from variantgen.figure.build import statement_figure
+from variantgen.figure.build import draw_statement
+from variantgen.figure.draft import all_made
 from variantgen.figure.drawing import Drawing
 from variantgen.mechanism.motion import Motion
 from variantgen.variants.attempts import VerificationError
@@ -64,8 +66,11 @@ class Content:
         """The problems of each student."""
         language = self.exam.spoken
         items = [item for sheet in self.sheets for item in sheet.items]
-        placed = iter(solve_all([item.variant for item in items], [item.asked for item in items], positions_only=True))
-        return tuple(tuple(_posed(item, *next(placed), language) for item in sheet.items) for sheet in self.sheets)
+        placed = solve_all([item.variant for item in items], [item.asked for item in items], positions_only=True)
+        told = [statement(item.variant, item.asked, language) for item in items]
+        figures = [draw_statement(i.variant, *at, i.asked, language) for i, at in zip(items, placed, strict=True)]
+        posed = iter(map(PosedProblem, items, told, all_made(figures)))
+        return tuple(tuple(next(posed) for _ in sheet.items) for sheet in self.sheets)
 
     @cached_property
     def solved(self) -> tuple[tuple[SolvedProblem, ...], ...]:
@@ -75,20 +80,21 @@ class Content:
         items = [item for sheet in self.sheets for item in sheet.items]
         placed = iter(solve_all([item.variant for item in items], [item.asked for item in items]))
         same = self.exam.solutions.language == self.exam.language
-        return tuple(
-            tuple(
-                self._solved(sheet, item, next(placed), self.posed[number][position] if same else None)
-                for position, item in enumerate(sheet.items)
-            )
-            for number, sheet in enumerate(self.sheets)
-        )
+        solved = []
+        for number, sheet in enumerate(self.sheets):
+            known = self.posed[number] if same else repeat(None)
+            written = [
+                self._written(sheet, item, next(placed), of) for item, of in zip(sheet.items, known, strict=False)
+            ]
+            solved.append(with_figures(written, self.exam.explained))
+        return tuple(solved)
 
     @property
     def unexplained(self) -> tuple[str, ...]:
         """The families of problems that have an answer, but no worked solution."""
         return tuple(p.variant.family.name for own in self.solved for p in own if not p.explained)
 
-    def _solved(self, sheet: Sheet, item: Item, place: tuple[Motion, int], known: PosedProblem | None) -> SolvedProblem:
+    def _written(self, sheet: Sheet, item: Item, place: tuple[Motion, int], known: PosedProblem | None) -> Written:
         """One solution; ``known`` is the problem as it was posed in the same language."""
         from variantgen.wording.solution.explain import UnexplainedError, answers_only, explain
 
@@ -105,33 +111,42 @@ class Content:
         except UnexplainedError:
             explained = False
             text = answers_only(item.variant, *place, item.asked, language)
-        return with_figures(item.variant, item.asked, language, place, text, known, explained)
+        return Written(item.variant, item.asked, place, text, known, explained)
 
 
-def with_figures(
-    variant: Variant,
-    asked: Sequence[Quantity],
-    language: Language,
-    place: tuple[Motion, int],
-    text: SolutionText,
-    known: PosedProblem | None = None,
-    explained: bool = True,
-) -> SolvedProblem:
-    """A written solution with the problem and the figures that its steps name.
+class Written(NamedTuple):
+    """A written solution of what is asked of a variant, of which ``place`` is the motion and its index in that batch.
 
-    ``place`` is the motion of the variant and its index in that batch, ``known`` the problem as it was posed in the
-    same language.
+    ``known`` is the problem as it was posed in the same language; ``explained`` as in :class:`SolvedProblem`.
     """
-    from variantgen.exam.solution_figures import CURVE, SolutionFigures, view_order
 
-    problem_text = known.statement if known else statement(variant, asked, language)
-    sketch = variant.form.figure.sketch
-    drawn = known.figure if known and not sketch else None  # a sheet has an empty grid below its figure
-    figures = SolutionFigures(variant, asked, language, place, drawn, text)
-    figures.draw([*view_order(text), *(f"{CURVE}:{name}" for name in sketch)])
-    return SolvedProblem(variant, problem_text, text, figures.rows(), figures.numbers, explained)
+    variant: Variant
+    asked: Sequence[Quantity]
+    place: tuple[Motion, int]
+    text: SolutionText
+    known: PosedProblem | None = None
+    explained: bool = True
 
 
-def _posed(item: Item, motion: Motion, place: int, language: Language) -> PosedProblem:
-    problem_text = statement(item.variant, item.asked, language)
-    return PosedProblem(item, problem_text, statement_figure(item.variant, motion, place, item.asked, language))
+def with_figures(solutions: Sequence[Written], language: Language) -> tuple[SolvedProblem, ...]:
+    """Written solutions with their problems and the figures that their steps name."""
+    from variantgen.exam.solution_figures import CURVE, SolutionFigures, draw_together, view_order
+
+    wanted = []
+    for variant, asked, place, text, known, _ in solutions:
+        sketch = variant.form.figure.sketch
+        drawn = known.figure if known and not sketch else None  # a sheet has an empty grid below its figure
+        figures = SolutionFigures(variant, asked, language, place, drawn, text)
+        wanted.append((figures, [*view_order(text), *(f"{CURVE}:{name}" for name in sketch)]))
+    draw_together(wanted)
+    return tuple(
+        SolvedProblem(
+            one.variant,
+            one.known.statement if one.known else statement(one.variant, one.asked, language),
+            one.text,
+            figures.rows(),
+            figures.numbers,
+            one.explained,
+        )
+        for one, (figures, _) in zip(solutions, wanted, strict=True)
+    )

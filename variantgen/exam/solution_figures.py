@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from variantgen.errors import InputError
 from variantgen.exam.solution_paper import COLUMN, WIDTH
 from variantgen.families.quantities import Quantity, split_name
 from variantgen.figure.build import statement_figure
+from variantgen.figure.draft import Making, tried
 from variantgen.figure.drawing import LETTER, Drawing
 from variantgen.figure.equations.body_board import FigureSubject
 from variantgen.figure.faults import figure_faults, vector_faults
@@ -26,7 +26,6 @@ from variantgen.wording.solution.document import SolutionText
 from variantgen.wording.solution.phrases import Letter, SentenceField, load_phrases
 from variantgen.wording.solution.quantity_symbols import Symbols
 from variantgen.wording.text import Text
-from variantgen.wording.words import MissingWordError
 
 STATEMENT = "statement"
 CURVE = "curve"  # of a quantity that is to be sketched
@@ -94,41 +93,42 @@ class SolutionFigures:
 
     def draw(self, names: Sequence[str]) -> None:
         """Draw what is not drawn yet. Raises InputError if the statement's figure cannot be drawn."""
-        for name in names:
-            if name not in self._drawn:
-                try:
-                    self._drawn[name] = self.figure(name)
-                except MissingWordError:
-                    raise
-                except InputError:
-                    if name == STATEMENT:
-                        raise
-                    continue  # there is nothing of the kind to draw (all velocities zero): the text says so
-            self.numbers.setdefault(name, len(self.numbers) + 1)
+        draw_together([(self, names)])
 
-    def figure(self, name: str) -> Drawing:
-        """One figure by its name. Raises InputError where there is nothing to draw."""
-        if name == STATEMENT:
-            return statement_figure(self.variant, *self._place, self.asked, self.language, grids=False)
+    def begun(self, names: Sequence[str]) -> dict[str, Making]:
+        """What is not drawn yet in the making; the statement's figure is drawn, as others need it.
+
+        Raises InputError if that cannot be.
+        """
+        missing = [name for name in names if name not in self._drawn]
+        if missing and STATEMENT not in self._drawn:
+            statement = statement_figure(self.variant, *self._place, self.asked, self.language, grids=False)
+            self._drawn[STATEMENT] = statement
+        return {name: self._making(name) for name in missing if name != STATEMENT}
+
+    def keep(self, names: Sequence[str], drawn: Mapping[str, Drawing]) -> None:
+        """Number the figures of these names; there is none of a kind of which there was nothing to draw."""
+        self._drawn |= drawn
+        for name in names:
+            if name in self._drawn:
+                self.numbers.setdefault(name, len(self.numbers) + 1)
+
+    def _making(self, name: str) -> Making:
+        """One figure by its name, but that of the statement. Raises InputError where there is nothing to draw."""
         kind, _, which = name.partition(":")
         marked = self._geometry.get(name, NOTHING_MARKED)
-        drawn: Drawing
         if kind == CURVE:
-            drawn = solved_grid(self.variant, which, self.language)
-        elif which:
-            subject = FigureSubject(self._mechanism, self._poses, marked, self._true_scale)
-            drawn = view(kind).draw(subject, self._vectors, which)
-        else:
-            scaled = {} if kind.endswith("_plan") else {"true_scale": self._true_scale, "geometry": marked}
-            drawn = view(kind).draw(self.variant, *self._place, self._shown, self.language, self._vectors, **scaled)
-        return drawn
-
-    @property
-    def _poses(self) -> Mapping[str, float]:
-        """How the supports stand in the figure of the statement."""
-        if STATEMENT not in self._drawn:
-            self._drawn[STATEMENT] = self.figure(STATEMENT)
-        return self._drawn[STATEMENT].poses
+            drawn: Drawing = solved_grid(self.variant, which, self.language)
+            return drawn
+        if which:
+            subject = FigureSubject(self._mechanism, self._drawn[STATEMENT].poses, marked, self._true_scale)
+            found: Drawing = yield from view(kind).draw(subject, self._vectors, which)
+            return found
+        scaled = {} if kind.endswith("_plan") else {"true_scale": self._true_scale, "geometry": marked}
+        whole: Drawing = view(kind).draw(
+            self.variant, *self._place, self._shown, self.language, self._vectors, **scaled
+        )
+        return whole
 
     def rows(self) -> tuple[tuple[SolutionFigure, ...], ...]:
         """Rows of figures as they fit beside each other on paper."""
@@ -197,6 +197,19 @@ class SolutionFigures:
         if unit * drawing.height > _HIGH:
             unit = min(unit, _TALL / drawing.height)
         return round(min(max(_UNIT, min(_LARGEST, unit)), COLUMN / drawing.width), 3)
+
+
+def draw_together(wanted: Sequence[tuple[SolutionFigures, Sequence[str]]]) -> None:
+    """Draw what figures of some problems have not drawn yet of these names: together they cost less.
+
+    Raises InputError if the figure of a statement cannot be drawn.
+    """
+    begun = [(figures, figures.begun(names)) for figures, names in wanted]
+    drawn = iter(tried([making for _, makings in begun for making in makings.values()]))
+    for (figures, makings), (_, names) in zip(begun, wanted, strict=True):
+        found = {name: next(drawn) for name in makings}
+        # Where there is nothing of the kind to draw (all velocities zero) the text says so.
+        figures.keep(names, {name: one for name, one in found.items() if isinstance(one, Drawing)})
 
 
 def solution_figure_faults(

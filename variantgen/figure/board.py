@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 from copy import copy
 from dataclasses import dataclass, field
 from typing import Self
 
-from variantgen.families.family import Form
+from variantgen.families.family import TOOTHED_RACK, Form
 from variantgen.families.literal_data import rate_name
+from variantgen.figure.draft import Draft
 from variantgen.figure.sketch import Sketch
 from variantgen.mechanism.component import DIMENSIONS, field_specs
 from variantgen.mechanism.linkage import Linkage
@@ -79,6 +81,10 @@ class Board:
             found += [self.sketch.at[name] - self.sketch.at[point] for name in ends if name != point]
         return [step / abs(step) for step in found if abs(step) > 1e-6]
 
+    def is_rack(self, body: str | None) -> bool:
+        """Whether a body is a rack with teeth."""
+        return body is not None and self.form.nouns.get(body) == TOOTHED_RACK
+
     def is_disc(self, point: str) -> bool:
         """Whether a disc about the point is drawn."""
         return any(disc.centre == point and not disc.arc for disc in self.form.figure.discs)
@@ -123,6 +129,10 @@ class Board:
         other = copy(self)
         other.sketch, other.clear = self.sketch.copied(), dict(self.clear)
         return other
+
+    def draft(self, widest: float = math.inf) -> Draft:
+        """What is drawn, its labels not yet placed; its drawing is not to be so wide (u)."""
+        return Draft(self.sketch, {name: self.sketch.at[name] for name in self.shown}, widest)
 
     def symbol(self, name: str) -> Symbol:
         """The symbol of a point, parameter or quantity."""

@@ -10,19 +10,19 @@ from functools import cache, cached_property, partial
 from types import MappingProxyType, ModuleType
 
 from variantgen.errors import InputError, Problem
-from variantgen.families.family import Form
 from variantgen.families.hints import DIRECTIONS
 from variantgen.families.quantities import Quantity, split_name
 from variantgen.figure.axes import draw_axes, has_axes
 from variantgen.figure.board import Board
+from variantgen.figure.draft import Making, made
 from variantgen.figure.drawing import BOLD, MEDIUM, Drawing, Layer
 from variantgen.figure.graph import with_graphs
 from variantgen.figure.guide_angles import draw_guide_angle
 from variantgen.figure.links import draw_links, draw_walls
 from variantgen.figure.marks import draw_angle, draw_disc_name, draw_length, draw_radius, draw_right_angle
-from variantgen.figure.placement.label_requests import around
-from variantgen.figure.sketch import DOT, HINGE, Sketch
-from variantgen.figure.symbols.gears import contour
+from variantgen.figure.points import draw_points
+from variantgen.figure.sketch import Sketch
+from variantgen.figure.symbols.gears import contour, is_moving
 from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import Motion, take_scene
 from variantgen.mechanism.rows import Constraint
@@ -51,9 +51,17 @@ def statement_figure(
     Raises InputError where there is nothing to draw or points that a symbol needs apart coincide (the screens keep
     drawn variants away from that; data fixed by hand may lead there).
     """
+    return made(draw_statement(variant, motion, index, asked, language, grids))
+
+
+def draw_statement(
+    variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity], language: Language, grids: bool = True
+) -> Making:
+    """The same in the making."""
     board = Mechanism(variant, motion, index, asked, language).board()
+    drawing = yield board.draft()
     tell = partial(_alt_text, board, asked)
-    figure = replace(finished(board), tell=tell, language=language.name, poses=board.poses)
+    figure = replace(drawing, tell=tell, language=language.name, poses=board.poses)
     return with_graphs(figure, variant, language, grids)
 
 
@@ -67,7 +75,7 @@ def _alt_text(board: Board, asked: Sequence[Quantity]) -> str:
 
 def finished(board: Board) -> Drawing:
     """The drawing of a board: labels placed, everything in order; without an alternative text."""
-    return board.sketch.finish({name: board.sketch.at[name] for name in board.shown})
+    return board.sketch.finish(board.draft().named)
 
 
 @dataclass(frozen=True)
@@ -184,7 +192,8 @@ def _draw_mechanism(board: Board, radii: Sequence[float], marks: bool) -> None:
         if disc.arc:
             continue
         rim = contour(board, disc.centre, radius)
-        sketch.circle(sketch.at[disc.centre], rim, Layer.DISC, BOLD if disc.body else MEDIUM)
+        weight = BOLD if disc.body or is_moving(board, disc.centre, radius) else MEDIUM
+        sketch.circle(sketch.at[disc.centre], rim, Layer.DISC, weight)
         board.discs.setdefault(disc.body, []).append(radius)
     draw_walls(board)
     draw_links(board)
@@ -220,7 +229,7 @@ def _draw_data(board: Board, radii: Sequence[float], marks: bool) -> None:
     for joint in board.scene.joints:
         if _seeks_room(joint):
             _draw_symbol(board, joint)
-    _draw_points(board, board.shown)
+    draw_points(board, board.shown)
     if marks:
         # Last, because arcs of rotation go where there is room left.
         for driver in board.scene.drivers:
@@ -266,40 +275,3 @@ def _scale(places: Sequence[complex], discs: Sequence[tuple[complex, float]]) ->
     if not limits:
         return 1.0  # a point at the origin
     return min([*limits, math.sqrt(_AREA / (width * height)) if width * height else math.inf])
-
-
-def _draw_points(board: Board, shown: Sequence[str]) -> None:
-    """Hinges between links, dots on bodies, and the names."""
-    sketch = board.sketch
-    for point in shown:
-        if point not in board.clear:
-            if _joins_links(board.form, point) or _is_axle(board, point):
-                sketch.circle(sketch.at[point], HINGE, Layer.HINGE, fill="paper")
-                board.sized(point, HINGE)
-            elif point not in _free_ends(board.form):
-                sketch.circle(sketch.at[point], DOT, Layer.HINGE, fill="ink")
-                board.sized(point, DOT)
-        sketch.label(around(board.symbol(point), sketch.at[point], board.clear.get(point, 0.3)))
-
-
-def _joins_links(form: Form, point: str) -> bool:
-    """Whether a point belongs to several bodies."""
-    return sum(point in members for members in form.bodies.values()) > 1
-
-
-def _is_axle(board: Board, point: str) -> bool:
-    """Whether a disc turns about the point: its centre, unless another point of the disc is its fixed axis."""
-    if not board.is_disc(point):
-        return False
-    owners = board.owners(point)
-    discs = {disc.body for disc in board.form.figure.discs}
-    held = any(name in board.fixed and name != point for body in owners for name in board.form.bodies[body])
-    return bool(owners) and discs.issuperset(owners) and not held
-
-
-def _free_ends(form: Form) -> frozenset[str]:
-    """The ends of bars and the corners of plates, which need no dots; a slotted bar has no line at its end."""
-    corners = (point for body in form.figure.plates for point in form.bodies[body])
-    return frozenset(
-        (*(point for body, *both in form.bars if body not in form.figure.slotted for point in both), *corners)
-    )

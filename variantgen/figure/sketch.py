@@ -15,7 +15,7 @@ from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Drawing, Label, Layer, 
 from variantgen.figure.ink import Sides
 from variantgen.figure.obstacles import Obstacles, Outline
 from variantgen.figure.placement.label_requests import LabelRequest
-from variantgen.figure.placement.labels import Placed, WantedLabels, place_labels
+from variantgen.figure.placement.labels import NOTHING_PLACED, Placed, WantedLabels, place_labels
 from variantgen.wording.formula import Symbol
 
 MARGIN = 1.5
@@ -203,9 +203,12 @@ class Sketch:
         return self._corners
 
     def finish(self, named: Mapping[str, complex]) -> Drawing:
-        """Place the labels, cut the paper to size and put everything in order."""
-        wanted = WantedLabels(self.requests, self.obstacles.segments(), list(named.values()))
-        (placed,) = place_labels([wanted]) if self.requests else [Placed([], [], False)]
+        """Place the labels, beside which other places are ``named``, and put everything in order."""
+        (drawing,) = finish_all([(self, named)])
+        return drawing
+
+    def lettered(self, placed: Placed) -> Drawing:
+        """The drawing with its labels where they are placed: the paper cut to size, everything in order."""
         labels, leaders, doubtful = placed
         corners = [*self._outline(), *(point for leader in leaders for point in leader.points)]
         for label in labels:
@@ -227,6 +230,17 @@ class Sketch:
             doubtful=doubtful,
             rotations=tuple([turn._replace(arc=_moved_arc(turn.arc, -low)) for turn in self.rotations]),
         )
+
+
+def finish_all(sketches: Sequence[tuple[Sketch, Mapping[str, complex]]]) -> list[Drawing]:
+    """The drawings of several sketches, each with the places that are named beside its labels."""
+    wanted = [
+        WantedLabels(sketch.requests, sketch.obstacles.segments(), list(named.values()))
+        for sketch, named in sketches
+        if sketch.requests
+    ]
+    placed = iter(place_labels(wanted) if wanted else ())
+    return [sketch.lettered(next(placed) if sketch.requests else NOTHING_PLACED) for sketch, _ in sketches]
 
 
 def _on_paper(label: Label, by: complex, plates: Sequence[Sequence[complex]]) -> Label:

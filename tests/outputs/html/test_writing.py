@@ -6,7 +6,7 @@ import xml.etree.ElementTree as ET
 
 import pytest
 
-from variantgen.exam.content import SolvedProblem, with_figures
+from variantgen.exam.content import SolvedProblem, Written, with_figures
 from variantgen.exam.solution_figures import SolutionFigure
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs.documents.formula_rows import breadth
@@ -89,7 +89,7 @@ def test_a_whole_solution_is_xml_with_all_its_parts(family: str, lang: str) -> N
     asked = asked_quantities(variant)
     motion = solve_variants([variant], 2)
     written = explain(variant, motion, 0, asked, language)
-    solved = with_figures(variant, asked, language, (motion, 0), written)
+    (solved,) = with_figures([Written(variant, asked, (motion, 0), written)], language)
     captions: list[str] = []
 
     def captioned(drawing: Drawing, width: float, caption: str) -> str:

@@ -10,13 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from variantgen.families.family import Form
-from variantgen.figure.drawing import BOLD, THIN, Drawing, Layer, Line
+from variantgen.figure.draft import Draft, Making
+from variantgen.figure.drawing import BOLD, THIN, Layer, Line
 from variantgen.figure.equations.surroundings import Surroundings, largest, size_of
 from variantgen.figure.ink import segments_of, spaced
 from variantgen.figure.motion.contact_letters import draw_dot
 from variantgen.figure.motion.motion_board import LEAST, MotionBoard, head_of
 from variantgen.figure.motion.motion_data import MovingMechanism
 from variantgen.figure.placement.label_requests import along_arrow, around
+from variantgen.figure.placement.least_crowded import first_roomy
 from variantgen.figure.sketch import Sketch
 from variantgen.methods.steps.step_geometry import NOTHING_MARKED, StepGeometry
 from variantgen.wording.formula import Formula, Symbol
@@ -178,11 +180,14 @@ class BodyBoard:
         return own if len(own) > 1 else [name for name in form.bodies[body] if name in (*own, *form.figure.hidden)]
 
 
-def with_room(drawn: Callable[[complex], Drawing]) -> Drawing:
-    """What is ``drawn`` in some room (width and height but for labels, u), less while its labels make it too large."""
+def with_room(tries: Callable[[complex], Iterable[Draft]]) -> Making:
+    """The first roomy one of what is tried in some room (width and height but for labels, u).
+
+    There is less while the labels make the figure too large.
+    """
     room = complex(WIDE, HIGH)
     for _ in range(_TRIES):
-        drawing = drawn(room)
+        drawing = yield from first_roomy(tries(room))
         excess = complex(max(0.0, drawing.width - _WIDEST), max(0.0, drawing.height - _HIGHEST))
         if not excess:
             break

@@ -14,7 +14,8 @@ from functools import partial
 
 from variantgen.algebra.name import Name
 from variantgen.errors import InputError, Problem
-from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Arc, Drawing, Layer
+from variantgen.figure.draft import Draft, Making
+from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Arc, Layer
 from variantgen.figure.equations.body_board import (
     BodyBoard,
     FigureSubject,
@@ -31,7 +32,6 @@ from variantgen.figure.motion.motion_board import HEAD, MotionBoard
 from variantgen.figure.motion.motion_data import motion_data
 from variantgen.figure.motion.vectors import Vectors, vectors_of
 from variantgen.figure.placement.label_requests import along_arc
-from variantgen.figure.placement.least_crowded import first_roomy
 from variantgen.figure.symbols.rotation import draw_arcs
 from variantgen.methods.linkage.instant import Instant
 from variantgen.methods.steps.point_vectors import PointVectors
@@ -52,7 +52,7 @@ _MANY_RAYS = 4
 
 def draw_body_figure(
     subject: FigureSubject, vectors: Sequence[PointVectors], body: str, kind: str, order: int = 1
-) -> Drawing:
+) -> Making:
     """The figure of the velocities (``order`` 1) or accelerations (2) of a body, of a ``kind``.
 
     Raises InputError where there is no such body, or no point of it has a vector.
@@ -74,10 +74,10 @@ def draw_body_figure(
     if not moving and not any(contact.velocity for contact in touching.values()):
         raise InputError(Problem("no point of the body moves", key="view", value=body))
     make = partial(BodyFigure, subject, named, now, body, order, moving, touching)
-    return with_room(lambda room: first_roomy(_tries(partial(make, room), kind)))
+    return with_room(lambda room: _tries(partial(make, room), kind))
 
 
-def _tries(make: Callable[[float], BodyFigure], kind: str) -> Iterator[Drawing]:
+def _tries(make: Callable[[float], BodyFigure], kind: str) -> Iterator[Draft]:
     """The figure with vectors of several sizes; marks of angles go where there is room for them."""
     for stretch in _SIZES:
         figure = make(stretch)
@@ -91,8 +91,8 @@ def _tries(make: Callable[[float], BodyFigure], kind: str) -> Iterator[Drawing]:
         marked = MOST_ANGLES + 1
         for most in _MOST_MARKED if stretch == _SIZES[0] else (0,):
             if most < marked:  # else there is nothing to leave out
-                drawing, marked = figure.completed(base.copied(), kind, most)
-                yield drawing
+                draft, marked = figure.completed(base.copied(), kind, most)
+                yield draft
 
 
 class BodyFigure:
@@ -198,7 +198,7 @@ class BodyFigure:
         """With the vectors (and points of contact) alone."""
         return self._board(bodies, *bodies.fitted(self._tips, self._longest))
 
-    def completed(self, board: MotionBoard, kind: str, most: int) -> tuple[Drawing, int]:
+    def completed(self, board: MotionBoard, kind: str, most: int) -> tuple[Draft, int]:
         """The figure with at most so many angles, and how many it has; the sense of the rate goes where room is left.
 
         A body that does not turn, and so has no centre, has nothing marked in its figure with the centre.
@@ -211,7 +211,7 @@ class BodyFigure:
         if centre or (kind == "contacts" and self._rate()):
             turns = [(self.named.rate(self.body), self._rate())]
             draw_arcs(board, self.body, turns, "centre" if centre else "")
-        return board.sketch.finish({name: board.sketch.at[name] for name in board.shown}), marked
+        return board.draft(), marked
 
     def _rate(self) -> float:
         rates = self.now.omega if self.order == 1 else self.now.epsilon

@@ -10,7 +10,8 @@ from itertools import pairwise
 import numpy as np
 
 from variantgen.errors import InputError, Problem
-from variantgen.figure.drawing import MEDIUM, Drawing, Layer
+from variantgen.figure.draft import Making
+from variantgen.figure.drawing import MEDIUM, Layer
 from variantgen.figure.equations.body_board import HIGH, WIDE, BodyBoard, FigureSubject
 from variantgen.figure.motion.motion_board import MotionBoard
 from variantgen.figure.placement.label_requests import LabelRequest, along_line, around, label_size
@@ -26,7 +27,7 @@ _GRAPH = 18.0  # height of the graph, u
 _OFF = 1.6  # between an arrow of the graph and the number above it, u
 
 
-def draw_chain(subject: FigureSubject) -> Drawing:
+def draw_chain(subject: FigureSubject) -> Making:
     """The figure of the chain of which the step speaks. Raises InputError where it speaks of none."""
     chain = subject.geometry.chain
     if chain is None:
@@ -47,7 +48,7 @@ def draw_chain(subject: FigureSubject) -> Drawing:
         sketch.arrow(0j, _AXIS * axis, Layer.MARK, MEDIUM, 2.0)
         sketch.label(around(Symbol(letter), _AXIS * axis, 0.3))
     _draw_graph(drawn, chain)
-    return sketch.finish({name: sketch.at[name] for name in drawn.shown})
+    return (yield drawn.draft())
 
 
 def _draw_graph(board: MotionBoard, chain: ChainGraph) -> None:

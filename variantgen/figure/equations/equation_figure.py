@@ -6,7 +6,8 @@ import math
 from collections.abc import Iterator, Sequence
 
 from variantgen.errors import InputError, Problem
-from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing, Layer
+from variantgen.figure.draft import Draft, Making
+from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Layer
 from variantgen.figure.equations.body_board import (
     BodyBoard,
     FigureSubject,
@@ -20,7 +21,6 @@ from variantgen.figure.equations.marked_geometry import MOST_ANGLES, draw_geomet
 from variantgen.figure.equations.surroundings import largest
 from variantgen.figure.motion.motion_board import MotionBoard, named_together
 from variantgen.figure.motion.vectors import Vectors, vectors_of
-from variantgen.figure.placement.least_crowded import first_roomy
 from variantgen.methods.steps.point_vectors import Arrow, PointEquation, PointVectors
 from variantgen.wording.formula import Formula, to_plain
 
@@ -33,7 +33,7 @@ _SHARE, _BESIDE_RODS = 0.75, 0.42  # of the room for a figure that its vectors h
 _STRAIGHT = math.sin(math.radians(6))  # two vectors with a smaller angle make no parallelogram
 
 
-def equation_figure(subject: FigureSubject, named: Vectors, equation: PointEquation) -> Drawing:
+def equation_figure(subject: FigureSubject, named: Vectors, equation: PointEquation) -> Making:
     """The figure. Raises InputError where all vectors are zero."""
     arrows = _arrows(equation)
     longest = max((abs(arrow.vector) for arrow in arrows), default=0.0)
@@ -46,14 +46,14 @@ def equation_figure(subject: FigureSubject, named: Vectors, equation: PointEquat
     ends = [end for rod in equation.rods for end in rod]
     points = dict.fromkeys((equation.point, *others, *ends))
 
-    def drawn(room: complex) -> Drawing:
+    def tries(room: complex) -> Iterator[Draft]:
         bodies = BodyBoard(subject, equation.bodies, points, rods=equation.rods, room=room)
-        return first_roomy(_tries(bodies, named, equation, shown))
+        return _tries(bodies, named, equation, shown)
 
-    return with_room(drawn)
+    return with_room(tries)
 
 
-def draw_equation(subject: FigureSubject, order: int, vectors: Sequence[PointVectors], which: str) -> Drawing:
+def draw_equation(subject: FigureSubject, order: int, vectors: Sequence[PointVectors], which: str) -> Making:
     """The figure of the equation of an order with the number ``which`` (none: the first); InputError without one."""
     named = vectors_of(subject.mechanism, order, vectors)
     equations = named.found.equations
@@ -76,7 +76,7 @@ def _arrows(equation: PointEquation) -> list[Arrow]:
     return list(found.values())
 
 
-def _tries(bodies: BodyBoard, named: Vectors, equation: PointEquation, arrows: Sequence[Arrow]) -> Iterator[Drawing]:
+def _tries(bodies: BodyBoard, named: Vectors, equation: PointEquation, arrows: Sequence[Arrow]) -> Iterator[Draft]:
     """The figure with vectors and bodies of several sizes; marks of angles go where there is room for them."""
     axes = [(axis.way, axis.letter) for axis in equation.axes if axis.letter]
     for number, (stretch, size) in enumerate(_SIZES):
@@ -87,9 +87,7 @@ def _tries(bodies: BodyBoard, named: Vectors, equation: PointEquation, arrows: S
                 board = base.copied()
                 marked = draw_geometry(board, bodies.subject, named.symbols, most)
                 draw_axes(board, board.sketch.at[equation.point], axes, longest)
-                drawing = board.sketch.finish({name: board.sketch.at[name] for name in board.shown})
-                if drawing.width < _COLUMN or not marked:
-                    yield drawing
+                yield board.draft(_COLUMN if marked else math.inf)
 
 
 def _base(

@@ -7,7 +7,8 @@ from collections.abc import Sequence
 from functools import partial
 
 from variantgen.errors import InputError, Problem
-from variantgen.figure.drawing import THIN, Drawing, Layer
+from variantgen.figure.draft import Making
+from variantgen.figure.drawing import THIN, Layer
 from variantgen.figure.equations.body_board import FigureSubject
 from variantgen.figure.motion.contact_letters import draw_dot
 from variantgen.figure.motion.motion_board import MotionBoard, draw_on_mechanism
@@ -16,7 +17,7 @@ from variantgen.wording.formula import Symbol
 from variantgen.wording.formula.tree import Index
 
 
-def draw_limits(subject: FigureSubject, points: Sequence[str]) -> Drawing:
+def draw_limits(subject: FigureSubject, points: Sequence[str]) -> Making:
     """The mechanism with both limit positions dashed; ``points`` are pivot, crank pin and end of the rod, or also the
     centre about which this end swings. Raises InputError where there are no such positions.
     """

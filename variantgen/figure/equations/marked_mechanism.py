@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import partial
 
-from variantgen.figure.drawing import MEDIUM, Drawing, Layer
+from variantgen.figure.draft import Making
+from variantgen.figure.drawing import MEDIUM, Layer
 from variantgen.figure.equations.body_board import FigureSubject
 from variantgen.figure.equations.marked_geometry import MOST_ANGLES, draw_geometry
 from variantgen.figure.motion.motion_board import MotionBoard, draw_on_mechanism
@@ -18,7 +19,7 @@ _AXIS = 17.0  # length of an axis, u
 _HEAD = 2.2
 
 
-def draw_marked_mechanism(subject: FigureSubject, vectors: Sequence[PointVectors], axes: bool) -> Drawing:
+def draw_marked_mechanism(subject: FigureSubject, vectors: Sequence[PointVectors], axes: bool) -> Making:
     """The figure, with the ``axes`` or without. Raises InputError where nothing can be drawn."""
     named = vectors_of(subject.mechanism, 1, vectors)
     annotate = partial(_annotate, subject, named, axes)

@@ -11,7 +11,8 @@ import numpy as np
 
 from variantgen.figure.board import Board
 from variantgen.figure.build import Mechanism
-from variantgen.figure.drawing import BOLD, Drawing, Layer
+from variantgen.figure.draft import Draft, Making
+from variantgen.figure.drawing import BOLD, Layer
 from variantgen.figure.motion.plans import EQUAL
 from variantgen.figure.placement.label_requests import along_arrow
 from variantgen.figure.placement.least_crowded import first_roomy
@@ -88,7 +89,7 @@ def draw_on_mechanism(
     mechanism: Mechanism,
     annotate: Callable[[MotionBoard, float], None],
     true_scale: bool = False,
-) -> Drawing:
+) -> Making:
     """The mechanism without data, with what ``annotate`` adds, of a size with which everything finds room.
 
     ``annotate`` gets the board and the size of its vectors (in proportion to the usual one), which is varied until all
@@ -96,7 +97,7 @@ def draw_on_mechanism(
     """
     poses, least = mechanism.board().poses, 0.0 if true_scale else LEAST
 
-    def drawn(stretch: float, size: float) -> Drawing:
+    def drawn(stretch: float, size: float) -> Draft:
         """The figure with vectors of one size on a mechanism of at most one size."""
         return _fitted(partial(mechanism.board, marks=False, poses=poses), annotate, stretch, size, least)
 
@@ -109,7 +110,7 @@ def _fitted(
     stretch: float,
     size: float,
     least: float,
-) -> Drawing:
+) -> Draft:
     """The figure on a mechanism of the size with which everything is on the paper."""
     for _ in range(_TRIES):
         plain = base(size=size)
@@ -121,7 +122,7 @@ def _fitted(
         if excess <= 1 or size <= _LEAST_SIZE:
             break
         size = max(_LEAST_SIZE, 0.96 * size / excess)
-    return board.sketch.finish({name: board.sketch.at[name] for name in board.shown})
+    return board.draft()
 
 
 def head_of(vector: complex) -> float:

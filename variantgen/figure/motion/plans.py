@@ -11,6 +11,7 @@ import numpy as np
 
 from variantgen.families.parameters.units import Unit
 from variantgen.families.parameters.units import unit as unit_of
+from variantgen.figure.draft import Draft, made
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing, Layer
 from variantgen.figure.placement.label_requests import LabelRequest, Places, along_line, around, label_size
 from variantgen.figure.placement.least_crowded import first_clean
@@ -80,10 +81,10 @@ def scale_of_plan(chain: VectorChain, now: Instant, order: int, unit: Unit) -> P
 
 def draw_plan(plan: VectorPlan, scale: PlanScale, language: Language) -> Drawing:
     """The finished plan, to the given scale."""
-    return first_clean(_drawn(plan, scale, language, beyond) for beyond in _BEYOND)
+    return made(first_clean(_drawn(plan, scale, language, beyond) for beyond in _BEYOND))
 
 
-def _drawn(plan: VectorPlan, printed: PlanScale, language: Language, beyond: float) -> Drawing:
+def _drawn(plan: VectorPlan, printed: PlanScale, language: Language, beyond: float) -> Draft:
     """The plan, with construction lines that run on so far beyond the ends."""
     scale = printed.figure_units
     sketch = Sketch({"pole": 0j}, scale)
@@ -104,7 +105,7 @@ def _drawn(plan: VectorPlan, printed: PlanScale, language: Language, beyond: flo
         names: Formula = symbols[0] if len(symbols) == 1 else FormulaList(tuple(symbols))
         sketch.label(around(names, place, 0.7))
     _draw_scale(sketch, printed, language)
-    return sketch.finish({str(i): place for i, (place, _) in enumerate(ends)})
+    return Draft(sketch, {str(i): place for i, (place, _) in enumerate(ends)})
 
 
 def _gathered(named: Sequence[tuple[Symbol, complex]]) -> list[tuple[complex, list[Symbol]]]:

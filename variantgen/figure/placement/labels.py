@@ -46,6 +46,9 @@ class Placed(NamedTuple):
     doubtful: bool
 
 
+NOTHING_PLACED = Placed([], [], False)
+
+
 def place_labels(figures: Sequence[WantedLabels]) -> list[Placed]:
     """Labels where they cost least, of several figures at once: the arrays of one are so small that calls would cost.
 

@@ -1,11 +1,12 @@
 """The kinds of figures of a variant, one module per kind; found by their file names.
 
 Each module says ``ORDER``, the order of the motion it needs (0 positions, 1 velocities, 2 accelerations), and has a
-function ``draw`` that returns a :class:`~variantgen.figure.drawing.Drawing` or raises InputError where there is nothing
-of the kind to draw. A figure of the whole mechanism is drawn by ``draw(variant, motion, index, asked, language)``, one
-of motion also with the vectors of the solution beside which it stands; a figure of a part of a solution by
-``draw(subject, vectors, which)`` with a :class:`~variantgen.figure.equations.body_board.FigureSubject`, which says what
-is marked there.
+function ``draw``, which raises InputError where there is nothing of the kind to draw. A figure of the whole mechanism
+is drawn by ``draw(variant, motion, index, asked, language)``, one of motion also with the vectors of the solution
+beside which it stands: it returns a :class:`~variantgen.figure.drawing.Drawing`. A figure of a part of a solution is
+begun by ``draw(subject, vectors, which)`` with a :class:`~variantgen.figure.equations.body_board.FigureSubject`, which
+says what is marked there: it returns a figure in the making (:mod:`variantgen.figure.draft`), so that the labels of all
+figures of a solution are placed together.
 """
 
 from __future__ import annotations

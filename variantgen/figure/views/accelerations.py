@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from functools import partial
 
 from variantgen.families.quantities import Quantity
+from variantgen.figure.draft import made
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing
 from variantgen.figure.equations.body_board import FigureSubject
 from variantgen.figure.equations.marked_geometry import MOST_ANGLES, draw_geometry
@@ -55,7 +56,7 @@ def draw(
     found = motion_data(mechanism, ORDER, [quantity for quantity in asked if quantity.order == ORDER])
     named = vectors_of(mechanism, ORDER, vectors)
     annotate = partial(_annotate, found, named, FigureSubject(mechanism, {}, geometry))
-    return draw_on_mechanism(mechanism, annotate, true_scale)
+    return made(draw_on_mechanism(mechanism, annotate, true_scale))
 
 
 def _annotate(found: MotionData, named: Vectors, subject: FigureSubject, board: MotionBoard, stretch: float) -> None:

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from functools import partial
 
 from variantgen.families.quantities import Quantity
+from variantgen.figure.draft import made
 from variantgen.figure.drawing import MEDIUM, Drawing
 from variantgen.figure.equations.body_board import FigureSubject
 from variantgen.figure.equations.marked_geometry import MOST_ANGLES, draw_geometry
@@ -51,7 +52,7 @@ def draw(
     named = vectors_of(mechanism, ORDER, vectors)
     ropes = rope_speeds(motion, index, asked)
     annotate = partial(_annotate, found, named, ropes, FigureSubject(mechanism, {}, geometry))
-    return draw_on_mechanism(mechanism, annotate, true_scale)
+    return made(draw_on_mechanism(mechanism, annotate, true_scale))
 
 
 def _annotate(

@@ -17,7 +17,7 @@ from variantgen.arrays.batch import Batch
 from variantgen.arrays.columns import motion_columns
 from variantgen.arrays.turn import DriverTurn
 from variantgen.errors import InputError
-from variantgen.exam.content import with_figures
+from variantgen.exam.content import Written, with_figures
 from variantgen.families.asking import read_ask
 from variantgen.figure.build import statement_figure
 from variantgen.mechanism.motion import Motion
@@ -60,7 +60,7 @@ def explanation_html(explanation: Explanation) -> str:
     motion = solve_variants([variant], max(quantity.order for quantity in asked))
     title = variant.family.title(language.name)
     try:
-        solved = with_figures(variant, asked, language, (motion, 0), explanation.text)
+        (solved,) = with_figures([Written(variant, asked, (motion, 0), explanation.text)], language)
     except InputError:  # there may be no statement in this language
         return _shown(title, [markup(f"<pre>{escape(str(explanation))}</pre>")])
     writing = page_writing(_name(variant, language.name, *explanation.options.methods))

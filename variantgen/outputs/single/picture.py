@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from variantgen.errors import InputError, Problem
 from variantgen.exam.solution_figures import SolutionFigures, view_order
 from variantgen.families.asking import read_ask
+from variantgen.figure.draft import all_made
 from variantgen.figure.drawing import Drawing
 from variantgen.figure.views import is_of_parts
 from variantgen.figure.views import view as find_view
@@ -115,4 +116,4 @@ def pictures(
             remedy = f"one of {', '.join(chosen)}"
             raise InputError(Problem("the solution has no such figure", key="view", value=view, remedy=remedy))
         names = [names[int(number) - 1]]
-    return [Picture(figures.figure(name)) for name in names]
+    return [Picture(drawing) for drawing in all_made([*figures.begun(names).values()])]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from variantgen.exam.content import with_figures
+from variantgen.exam.content import Written, with_figures
 from variantgen.families.quantities import Quantity, motion_order
 from variantgen.methods.solution_options import SolutionOptions
 from variantgen.outputs.documents.solution_data import notes_data, problem_data, solution_words
@@ -35,7 +35,7 @@ def write_explained(
     form = page_format(path)
     motion = solve_variants([variant], motion_order(asked))
     text = explain(variant, motion, 0, asked, language, options)
-    solved = with_figures(variant, asked, language, (motion, 0), text)
+    (solved,) = with_figures([Written(variant, asked, (motion, 0), text)], language)
     data = {
         "lang": language.name,
         "title": variant.family.title(language.name),
