@@ -98,8 +98,8 @@ def test_an_angle_is_measured_from_the_line_of_the_pivots() -> None:
     based = [draft for draft in drafts if draft.base]
     assert 0 < len(based) < len(drafts)
     for draft in based:
-        assert f"between the link {{{{ OA }}}} and the line {{{{ O{draft.base} }}}}" in statement_text(draft, "en")
-        assert f"между звеном {{{{ OA }}}} и прямой {{{{ O{draft.base} }}}}" in statement_text(draft, "ru")
+        assert f"between {{{{ OA }}}} and the line {{{{ O{draft.base} }}}}" in statement_text(draft, "en")
+        assert f"между {{{{ OA }}}} и прямой {{{{ O{draft.base} }}}}" in statement_text(draft, "ru")
         assert draft.marks[0] == {"name": "phi", "at": "O", "from": draft.base, "to": "A"}
         # The four lengths place B: by the law of cosines the printed length is that from the other pivot.
         joint = draft.sentences[0][1]["joint"]

@@ -164,6 +164,9 @@ def _accepted(
 ) -> tuple[dict[str, str], Family]:
     """The files of a draft that passes, and its family. Raises LayoutError, InputError."""
     family, draws, width = varied
+    if unfit(draws.variant(0), _quantities(family, asked)) and not draft.brief:
+        draft.brief = True  # the statement may be too long
+        _write_statements(draft, scratch)
     if why := unfit(draws.variant(0), _quantities(family, asked)):
         raise LayoutError(why)
     text = family_text(draft, _titles(structure), code(structure), asked, width)

@@ -85,6 +85,7 @@ class Draft(Struct):
     rng: Chance
     opening: str = OPENINGS[0]
     lettered: bool = False  # fixed points have letters in the order of growth, not O1, O2
+    brief: bool = False  # the statement is as short as it can be
     base: str = ""  # the point on whose line with O the angle of the driving link is measured; "-": beyond O
     z: dict[str, complex] = field(default_factory=dict)
     points: dict[str, Component] = field(default_factory=dict)

@@ -44,7 +44,7 @@ def _mechanism(draft: Draft, words: Mapping[str, Any]) -> list[str]:
     found: list[str] = []
     driver_told = False
     for place, (key, said) in enumerate(draft.sentences):
-        facts = _as_called(said, draft.called, driver_told)
+        facts = _as_called(said, draft, driver_told)
         driver_told = driver_told or CRANK in said.values()
         for index in ("", "_to"):
             if facts.get(f"at{index}") in words["arms"]:
@@ -82,7 +82,8 @@ def _position(draft: Draft, words: Mapping[str, Any]) -> str:
             phrases["incline_one" if len(inclined) == 1 else "incline_many"].format(angles=names, names=links)
         )
     angles += [phrases[key].format(**facts) for key, facts in said if key == "angle"]
-    angles += [phrases[key].format(**facts) for key, facts in said if key == "instant_length"]
+    if not draft.brief:  # they are among the data
+        angles += [phrases[key].format(**facts) for key, facts in said if key == "instant_length"]
     clauses, middles = _squares(draft, words), [phrases[key].format(**f) for key, f in said if key == "halfway"]
     for key in ("level", "upright"):
         alike = [f["link"] for k, f in said if k == key]
@@ -122,19 +123,22 @@ def _tells_axes(draft: Draft) -> bool:
 
 def _worded(draft: Draft, said: str | Sequence[str]) -> str:
     """A sentence, or of several ways to say it the one that goes with the statement."""
-    return said if isinstance(said, str) else said[draft.style("words") % len(said)]
+    if isinstance(said, str):
+        return said
+    return min(said, key=len) if draft.brief else said[draft.style("words") % len(said)]
 
 
-def _as_called(facts: Facts, known: Mapping[str, str], driver_told: bool) -> Facts:
+def _as_called(facts: Facts, draft: Draft, driver_told: bool) -> Facts:
     """The facts with links called what they are: cranks and rockers; ``turning``: what a rod drives, ``driver``: OA.
 
     ``driver_told``: it has been said that OA drives.
     """
     bodies = {"noun": "bar", "at_noun": "at_link", "at_to_noun": "at_to_link"}
-    driver = known.get(CRANK, "link" if driver_told else "driver")
+    known = draft.called
+    driver = known.get(CRANK, "link" if driver_told or draft.brief else "driver")
     called = {**known, CRANK: driver}
     nouns = {noun: called[facts[body]] for noun, body in bodies.items() if facts.get(body) in called}
-    coupler = "coupler" if facts.get("at_point") == "A" else "rod"
+    coupler = "coupler" if facts.get("at_point") == "A" and not draft.brief else "rod"
     return {
         **facts, **nouns, "driver": driver, "turning": known.get(facts.get("rocker", ""), "link"), "coupler": coupler,
     }  # fmt: skip
