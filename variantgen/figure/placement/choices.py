@@ -49,7 +49,7 @@ class Choice:
     @property
     def leader(self) -> Path | None:
         """The leader of the chosen place, where it needs one."""
-        number = self.taken - self.near
+        number = self.taken - self.near if self.ends.size else -1
         return _leader(self.request, self.place, complex(self.ends[number])) if number >= 0 else None
 
     @property
