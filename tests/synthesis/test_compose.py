@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 from contextlib import suppress
 from pathlib import Path
@@ -19,6 +20,11 @@ from variantgen.families.family import Form
 from variantgen.families.method_names import METHODS
 from variantgen.families.reading.cases import load_cases
 from variantgen.families.reading.load import load_family
+from variantgen.figure.build import statement_figure
+from variantgen.figure.drawing import Arc
+from variantgen.figure.drawing import Path as Line
+from variantgen.mechanism.joints.gears import Gears
+from variantgen.mechanism.joints.rolling import Rolling
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import task_of
 from variantgen.methods.steps.step import Sentence
@@ -27,6 +33,9 @@ from variantgen.synthesis.recognition import structures_of
 from variantgen.synthesis.structures import parse_code
 from variantgen.variants.draw import draw
 from variantgen.variants.variant import Variant
+from variantgen.wording.language import load_language
+from variantgen.wording.solution.explain import explain
+from variantgen.wording.solution.plain import plain_solution
 
 
 @pytest.fixture(scope="module")
@@ -99,7 +108,8 @@ def test_levels() -> None:
 def built(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("pool")
     (folder / "exam.toml").write_text(
-        'title = "Composed"\nlanguage = "en"\n[[problem]]\ncompose = { groups = ["RRP"], links = 3, structures = 2 }\n'
+        'title = "Composed"\nlanguage = "en"\n[[problem]]\n'
+        'compose = { groups = ["RRP"], links = 3, structures = 2, seed = 1 }\n'
     )
     assert main(["build", str(folder / "exam.toml"), "--variants", "2", "--out", str(folder / "out")]) == 0
     return folder
@@ -237,7 +247,7 @@ def test_a_gear_at_the_end_is_turned_by_the_gear_on_a_link(tmp_path: Path) -> No
     radii = {name: float(variant.printed[name]) for name in ("R", "r")}
     own = radii[str(form.figure.discs[1].name)]
     other = sum(radii.values()) - own
-    assert motion.omega["gear1"][0] * own == pytest.approx(-motion.omega["O1B"][0] * other, rel=1e-9)
+    assert motion.omega["gear1"][0] * own == pytest.approx(-motion.omega[_driving(form)][0] * other, rel=1e-9)
 
 
 @pytest.mark.parametrize("name", ["RRR01-WR02", "RRP01-WR02"])
@@ -248,7 +258,8 @@ def test_a_gear_on_a_moving_axle_rolls_on_a_fixed_one(name: str, tmp_path: Path)
     radius = float(variant.printed["r"] if "R" not in variant.printed else variant.printed[_own(form)]) / 100
     turned = motion.omega["gear1"][0]
     assert abs(turned) * radius == pytest.approx(abs(motion.v[arm][0]), rel=1e-9)
-    link = next(body for body, points in form.bodies.items() if arm in points and "O1" in points)
+    axis = next(joint.fields["other_centre"] for joint in form.joints if joint.component is Gears)
+    link = next(body for body, points in form.bodies.items() if arm in points and axis in points)
     assert np.sign(turned) == np.sign(motion.omega[link][0])  # outside a fixed gear: in the sense of its arm
     if len(form.bodies["gear1"]) > 1:  # a point of the rim across the line of centres
         rim = form.bodies["gear1"][1]
@@ -260,8 +271,34 @@ def test_a_gear_drives_a_rack(tmp_path: Path) -> None:
     motion = variant.motion()
     slider = next(points[0] for body, points in form.bodies.items() if body.startswith("rack"))
     radius = float(variant.printed["r"]) / 100
-    assert abs(motion.v[slider][0]) == pytest.approx(abs(motion.omega["O1B"][0]) * radius, rel=1e-9)
-    assert abs(motion.a[slider][0]) == pytest.approx(abs(motion.epsilon["O1B"][0]) * radius, rel=1e-9)
+    assert abs(motion.v[slider][0]) == pytest.approx(abs(motion.omega[_driving(form)][0]) * radius, rel=1e-9)
+    assert abs(motion.a[slider][0]) == pytest.approx(abs(motion.epsilon[_driving(form)][0]) * radius, rel=1e-9)
+
+
+def test_a_rack_is_called_a_rack_and_does_not_hide_its_slider(tmp_path: Path) -> None:
+    form, variant = _terminal("RRR01-WP20", tmp_path)
+    motion, asked, english = variant.motion(), read_ask(form), load_language("en")
+    text = plain_solution(explain(variant, motion, 0, asked, english), english)
+    text = " ".join(text.split())
+    assert "has the velocity of the rack" in text
+    assert " bar" not in text
+    assert "rod AB" in text  # as in the statement
+    assert "link AB" not in text
+    drawing = statement_figure(variant, motion, 0, asked, english)
+    paths = [line for line in drawing.lines if isinstance(line, Line)]
+    (rack,) = (line for line in paths if line.fill == "shade")
+    box = next(line for line in paths if line.closed and line.fill == "paper" and len(line.points) == 4)
+    assert rack.layer < box.layer
+    assert sum(isinstance(line, Arc) and line.dash == "dashdot" for line in drawing.lines) == 1  # the pitch circle
+
+
+@pytest.mark.parametrize("name", ["RRP01-WR20", "RRP10-WR30"])
+def test_what_shows_the_sense_of_an_angular_acceleration_is_said(name: str, tmp_path: Path) -> None:
+    form, variant = _terminal(name, tmp_path)
+    for language, said in (("en", r"\(a⃗_\w+\)_t shows that α_1 is"), ("ru", r"Судя по a⃗\^τ_\w+, ε_1 направлено")):
+        spoken = load_language(language)
+        text = plain_solution(explain(variant, variant.motion(), 0, read_ask(form), spoken), spoken)
+        assert re.search(said, " ".join(text.split()))
 
 
 def test_a_rack_on_a_slider_drives_a_gear(tmp_path: Path) -> None:
@@ -286,6 +323,12 @@ def _terminal(name: str, folder: Path) -> tuple[Form, Variant]:
             solved += len(solution(task, [method]).answers) == len(asked)
     assert solved >= 3
     return form, variant
+
+
+def _driving(form: Form) -> str:
+    """The link with a gear that drives another gear or a rack."""
+    meshes = (joint for joint in form.joints if joint.component in (Gears, Rolling))
+    return next(joint.fields["other" if joint.component is Gears else "body"] for joint in meshes)
 
 
 def _own(form: Form) -> str:

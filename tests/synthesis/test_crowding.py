@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from variantgen.families.family import TOOTHED_RACK
 from variantgen.synthesis.chance import Chance
 from variantgen.synthesis.crowding import crossed, crowded
 from variantgen.synthesis.draft import Datum, Draft
@@ -72,6 +73,24 @@ def test_arcs_of_neighbouring_angles_have_room(size: float, said: str) -> None:
     assert crowded(draft) == said
 
 
+@pytest.mark.parametrize(("end", "said"), [(32 + 8j, "CD across the angle at A"), (24 + 16j, "")])
+def test_no_link_lies_across_the_arc_of_an_angle(end: complex, said: str) -> None:
+    # 11 and 23 cm from the corner; the arc is drawn at 13 % of the whole, which is 120 cm high: some 16 cm.
+    draft = _draft(A=40 + 0j, B=40 + 120j, C=end, D=-40 + 80j)
+    draft.marks.append({"name": "beta", "at": "A", "from": "O", "to": "B"})
+    for start, far in ("OA", "AB", "CD"):
+        draft.bodies[start + far] = [start, far]
+        draft.bars.append((start, far))
+    assert crowded(draft) == said
+
+
+@pytest.mark.parametrize(("far", "said"), [(30, "the driving link at the wheel"), (40, "")])
+def test_a_wheel_leaves_room_for_what_is_drawn_about_the_driving_link(far: float, said: str) -> None:
+    draft = _draft(O1=far + 0j)  # its wheel of 20 cm comes as near as 10 and 20 cm; 13 % of 80 cm are some 10.4 cm
+    draft.wheel("O1", draft.radius("r", 20))
+    assert crowded(draft) == said
+
+
 def test_variants_are_seen_on_which_a_link_lies_across_a_wheel() -> None:
     draft = _draft(O1=140 + 0j, C=100 + 60j, D=180 + 60j)
     draft.wheel("O1", draft.radius("r", 20))
@@ -96,7 +115,7 @@ def _with_rack(**places: complex) -> Draft:
     draft = _draft(E=60 + 40j, F=140 + 40j, **places)
     draft.hint("hidden", "F")
     draft.bodies |= {"rackE": ["E", "F"], "CD": ["C", "D"]}
-    draft.nouns["rackE"] = "rack"
+    draft.nouns["rackE"] = TOOTHED_RACK
     draft.bars += [("E", "F"), ("C", "D")]
     return draft
 

@@ -42,9 +42,9 @@ def test_a_slider_crank_with_an_offset(offset: float, turns: bool) -> None:
     ("code", "seed", "said"),
     [
         ("RRR01", "2", ""),
-        ("RRR01-RRR23", "1", "rocker {{ O1B }}"),
+        ("RRR01-RRR23", "2", "rocker {{ BC }}"),
         ("RPP10", "1", "crank {{ OA }}"),
-        ("RPR01", "2", "crank {{ OA }}"),
+        ("RPR01", "1", "crank {{ OA }}"),
     ],
 )
 def test_links_are_called_what_they_are(code: str, seed: str, said: str, tmp_path: Path) -> None:

@@ -67,8 +67,56 @@ def _drafts(code: str) -> list[Draft]:
 
 def test_statements_are_worded_in_two_ways_one_all_through() -> None:
     told = [statement_text(draft, "en") for draft in _drafts("RRR01-RRP20")]
-    ways = {("are fixed pins" in text, " connects " in text) for text in told}
+    ways = {("are fixed pins" in text, " is pinned to " in text) for text in told}
     assert ways == {(True, True), (False, False)}
+
+
+def test_what_lies_along_an_axis_is_said_so() -> None:
+    """Of two links at right angles, one of them vertical, the other is horizontal: that is said."""
+    checked = 0
+    for code in ("RRR01-RRR02", "RRR01-RRR03", "RPR01-RRR03"):
+        for draft in _drafts(code):
+            square = [facts for key, facts in draft.position if key == "square"]
+            straight = {facts["link"] for key, facts in draft.position if key in ("level", "upright")}
+            checked += bool(square) and bool(straight)
+            assert not any(facts["one"] in straight for facts in square)
+            assert all(facts["one"] in draft.bodies for facts in square)  # OA, not AO
+    assert checked
+
+
+def test_the_position_is_given_by_distances_too() -> None:
+    """How far a block is from the end of its link is no length of a link: the position says it, as does the key."""
+    drafts = [d for d in _drafts("RRP01") if any(key == "instant_length" for key, _ in d.position)]
+    assert drafts
+    for draft in drafts:
+        assert "the distance {{ OB }}" in statement_text(draft, "en")
+        assert "расстоянием {{ OB }}" in statement_text(draft, "ru")
+
+
+def test_an_angle_is_measured_from_the_line_of_the_pivots() -> None:
+    drafts = _drafts("RRR01")
+    based = [draft for draft in drafts if draft.base]
+    assert 0 < len(based) < len(drafts)
+    for draft in based:
+        assert f"between the link {{{{ OA }}}} and the line {{{{ O{draft.base} }}}}" in statement_text(draft, "en")
+        assert f"между звеном {{{{ OA }}}} и прямой {{{{ O{draft.base} }}}}" in statement_text(draft, "ru")
+        assert draft.marks[0] == {"name": "phi", "at": "O", "from": draft.base, "to": "A"}
+        # The four lengths place B: by the law of cosines the printed length is that from the other pivot.
+        joint = draft.sentences[0][1]["joint"]
+        assert abs(draft.z[joint] - draft.z["A"]) == pytest.approx(draft.value(f"A{joint}"))
+        assert abs(draft.z[joint] - draft.z[draft.base]) == pytest.approx(draft.value(draft.sentences[0][1]["rocker"]))
+        assert "horizontal" not in statement_text(draft, "en")  # nothing else is measured from it
+
+
+def test_a_link_drives_once() -> None:
+    for draft in _drafts("RRR01-RRR23"):
+        assert statement_text(draft, "en").count("driving link") == 1
+        assert statement_text(draft, "ru").lower().count("ведущее звено") == 1
+
+
+def test_fixed_points_have_numbers_or_letters() -> None:
+    pivots = {draft.pivots[1] for draft in _drafts("RRR01")}
+    assert pivots == {"O1", "C"}
 
 
 def test_what_carries_two_rods_is_no_single_pin() -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 
@@ -108,14 +108,6 @@ def read_sheet(problem_text: Statement, form: Form, language: Language) -> State
         for match in pattern.finditer(text)
     )
     units = {to_plain(language.unit(unit)): unit for unit in UNITS.values() if unit.name != "1"}
-    data: dict[str, tuple[PrintedNumber, ...]] = {}
-    for equation in problem_text.given:
-        if isinstance(equation.right, Measured) and isinstance(equation.left, Symbol):
-            written = to_plain(equation.left)
-            # Languages write other letters for the same; a length is known by its two points.
-            name = written if two_points(written, form) else known.get(equation.left, written)
-            found = _printed_number(equation.right.number.text, to_plain(equation.right.unit), units)
-            data[name] = (*data.get(name, ()), *found)
     measured = rf"{_NUMBER}[ \N{{NO-BREAK SPACE}}]?(?P<unit>{'|'.join(map(re.escape, sorted(units, key=len)[::-1]))})"
     starts = {start for start, _, _ in symbols}  # the gear 1 is no number
     numbers = [
@@ -124,10 +116,26 @@ def read_sheet(problem_text: Statement, form: Form, language: Language) -> State
         for datum in _printed_number(match["number"], match["unit"], units)
         if match.start() not in starts and datum.measures != "time"  # the letter of the second is a word, too
     ]
+    data = _listed_data(problem_text.given, form, known, units)
     for match in _find(rf"{_NAME}\W{{0,2}}(?:{words.equals})\s*{measured}(?!\w)", text):
         name = match["name"]
         data[name] = (*data.get(name, ()), *_printed_number(match["number"], match["unit"], units))
     return StatementReading(language.name, tuple(mentions), senses, data, tuple(numbers))
+
+
+def _listed_data(
+    given: Sequence[Equation], form: Form, known: Mapping[Symbol, str], units: Mapping[str, Unit]
+) -> dict[str, tuple[PrintedNumber, ...]]:
+    """The numbers of the list of data by what is printed before them."""
+    data: dict[str, tuple[PrintedNumber, ...]] = {}
+    for equation in given:
+        if isinstance(equation.right, Measured) and isinstance(equation.left, Symbol):
+            written = to_plain(equation.left)
+            # Languages write other letters for the same; a length is known by its two points.
+            name = written if two_points(written, form) else known.get(equation.left, written)
+            found = _printed_number(equation.right.number.text, to_plain(equation.right.unit), units)
+            data[name] = (*data.get(name, ()), *found)
+    return data
 
 
 def two_points(name: str, form: Form) -> tuple[str, str] | None:

@@ -65,24 +65,7 @@ def read_composed(
     are fewer than wanted. ``tell`` is told how many families of it are made.
     """
     noted = len(table.problems)
-    groups = table.strings("groups")
-    wanted = table.choice("level", tuple(LEVELS)) if "level" in table.data else ""
-    table.expect("level")
-    links = table.take("links", int, 0) if "links" in table.data else None
-    table.expect("links")
-    said = table.take("structures", int, _USUAL) if "structures" in table.data else None
-    table.expect("structures")
-    options = _Options(groups, links, wanted, str(table.take("seed", (int, str), 0, "a whole number or a word")))
-    table.finish()
-    if said is not None and not 1 <= said <= _MOST:
-        table.problem(f"expected a number from 1 to {_MOST}", "structures", said)
-    if len(set(groups)) < len(groups):
-        table.problem("a kind is named twice", "groups", ", ".join(groups), "name each kind once")
-    with table.collecting(""):
-        there = len(chosen_structures(groups, links))
-        if there < (said or 1):
-            many = "is only 1 such structure" if there == 1 else f"are only {there} such structures"
-            table.problem(f"there {many}", "structures", said, f"structures = {there}")
+    options, said = _read_options(table)
     if len(table.problems) > noted:
         return ()
     for folder in folders:
@@ -104,6 +87,29 @@ def read_composed(
         message = f"only {len(found)} structures give problems that are comparable in work"
         table.problem(message, "structures", said or _USUAL, f"{remedy}another seed, level or groups")
     return tuple(map(str, found))
+
+
+def _read_options(table: Table) -> tuple[_Options, int | None]:
+    """What families shall be like, and how many of different structures; mistakes are noted."""
+    groups = table.strings("groups")
+    wanted = table.choice("level", tuple(LEVELS)) if "level" in table.data else ""
+    table.expect("level")
+    links = table.take("links", int, 0) if "links" in table.data else None
+    table.expect("links")
+    said = table.take("structures", int, _USUAL) if "structures" in table.data else None
+    table.expect("structures")
+    options = _Options(groups, links, wanted, str(table.take("seed", (int, str), 0, "a whole number or a word")))
+    table.finish()
+    if said is not None and not 1 <= said <= _MOST:
+        table.problem(f"expected a number from 1 to {_MOST}", "structures", said)
+    if len(set(groups)) < len(groups):
+        table.problem("a kind is named twice", "groups", ", ".join(groups), "name each kind once")
+    with table.collecting(""):
+        there = len(chosen_structures(groups, links))
+        if there < (said or 1):
+            many = "is only 1 such structure" if there == 1 else f"are only {there} such structures"
+            table.problem(f"there {many}", "structures", said, f"structures = {there}")
+    return options, said
 
 
 def _pool(options: _Options, said: int | None, report: Callable[[int, int], object]) -> tuple[Path, ...]:

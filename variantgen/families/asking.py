@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -98,34 +98,37 @@ def _read(form: Form, names: Sequence[str], key: str) -> list[Quantity]:
             if not own:
                 problem = f"a problem like this asks for no {text} by itself"
                 problems.append(Problem(problem, key=place, value=text, remedy="name the quantities"))
-            found += [quantity for quantity in own if quantity not in found]
-            continue
-        if text in given or text.removesuffix(".abs").removesuffix(".sense") in given:
+        elif text in given or text.removesuffix(".abs").removesuffix(".sense") in given:
             problems.append(Problem("is given, so it cannot be asked", key=place, value=text, remedy="remove it"))
             continue
-        try:
-            quantity = parse_quantity(text, form.sample, place, (*form.askable, *WORDS))
-            stated = given_position(form, quantity) if quantity.group in ("position", "path", "centre") else ""
-            if not stated and not form.may_be_asked(quantity):
-                problem = "the data of this problem do not determine it"
-                if quantity.group == "position":
-                    problem = "this position is not asked of the family: its may_ask does not name it"
-                problems.append(Problem(problem, key=place, value=text, remedy=_instead(form, quantity)))
-            elif text not in form.askable and (hidden := {*quantity.points(form.points)} & {*form.figure.hidden}):
-                problem = f"the figure does not show {', '.join(sorted(hidden))}"
-                shown = ", ".join(sorted(name for name in form.points if name not in form.figure.hidden))
-                problems.append(Problem(problem, key=place, value=text, remedy=f"use other points: {shown}"))
-            elif stated:
-                problems.append(Problem("is given, so it cannot be asked", key=place, value=text, remedy=stated))
-            if wanted or asked.rstrip().endswith(" in"):
-                quantity = in_unit(quantity, wanted, place)
-            if quantity not in found:  # a word may have named it
-                found.append(quantity)
-        except InputError as error:
-            problems += error.problems
+        else:
+            try:
+                quantity = parse_quantity(text, form.sample, place, (*form.askable, *WORDS))
+                problems += _not_asked(form, quantity, text, place)
+                own = [in_unit(quantity, wanted, place) if wanted or asked.rstrip().endswith(" in") else quantity]
+            except InputError as error:
+                problems += error.problems
+                continue
+        found += [quantity for quantity in own if quantity not in found]  # a word may have named it
     if problems:
         raise InputError(problems)
     return found
+
+
+def _not_asked(form: Form, quantity: Quantity, text: str, place: str) -> Iterator[Problem]:
+    """Why a quantity that the scene knows is not asked of its form: the data do not lead to it, or state it."""
+    stated = given_position(form, quantity) if quantity.group in ("position", "path", "centre") else ""
+    if not stated and not form.may_be_asked(quantity):
+        problem = "the data of this problem do not determine it"
+        if quantity.group == "position":
+            problem = "this position is not asked of the family: its may_ask does not name it"
+        yield Problem(problem, key=place, value=text, remedy=_instead(form, quantity))
+    elif text not in form.askable and (hidden := {*quantity.points(form.points)} & {*form.figure.hidden}):
+        shown = ", ".join(sorted(name for name in form.points if name not in form.figure.hidden))
+        problem = f"the figure does not show {', '.join(sorted(hidden))}"
+        yield Problem(problem, key=place, value=text, remedy=f"use other points: {shown}")
+    elif stated:
+        yield Problem("is given, so it cannot be asked", key=place, value=text, remedy=stated)
 
 
 def _instead(form: Form, quantity: Quantity) -> str:

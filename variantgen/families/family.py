@@ -23,6 +23,8 @@ from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.scene import Scene
 from variantgen.mechanism.solving.structure import Plan, analyse
 
+TOOTHED_RACK = "toothed_rack"  # what a bar is called with which a gear is in mesh
+
 
 @dataclass(frozen=True)
 class ComponentTemplate:

@@ -89,32 +89,12 @@ def _restricted(narrowing: _Narrowing) -> Family:
     family, fixed, ranges, forms = narrowing.family, narrowing.fixed, narrowing.ranges, narrowing.forms
     if narrowing.units:
         family = in_unit(family, check_length_unit(narrowing.units, "units"))
-    problems: list[Problem] = []
-    for name in forms:
-        if name not in family.forms:
-            problems.append(
-                Problem("unknown form", key="form", value=str(name), remedy=nearest(str(name), family.forms))
-            )
+    if wrong := _wrong_names(family, narrowing):
+        raise InputError(wrong)
     chosen = {name: form for name, form in family.forms.items() if not forms or name in forms}
-    known = {name for form in chosen.values() for name in form.parameters}
-    for key, table in (("set", fixed), ("range", ranges)):
-        for name in table:
-            if name not in known:
-                problems.append(
-                    Problem("unknown parameter", key=f"{key}.{name}", value=name, remedy=nearest(name, known))
-                )
-    instants = {name for form in chosen.values() for name, parameter in form.parameters.items() if parameter.found}
-    for name in sorted((fixed.keys() | ranges.keys()) & instants):
-        remedy = "change instant in [laws]"
-        problems.append(Problem("the instant is found and cannot be set", "", f"set.{name}", name, remedy))
-    for name in fixed.keys() & ranges.keys():
-        problems.append(
-            Problem("is both fixed and given a range", key=f"set.{name}", value=str(fixed[name]), remedy="remove one")
-        )
-    if problems:
-        raise InputError(problems)
     if narrowing.nice:
         chosen = _hand_friendly(family, chosen)
+    problems: list[Problem] = []
     narrowed: dict[str, Form] = {}
     outside: dict[str, list[Problem]] = {}
     for form_name, form in chosen.items():
@@ -128,11 +108,7 @@ def _restricted(narrowing: _Narrowing) -> Family:
             if name in fixed and parameter.unit is not None and not narrowing.beyond:
                 grids = (family.forms[form_name].parameters[name], parameter)
                 outside.setdefault(form_name, []).extend(_outside(parameters[name], fixed[name], grids))
-        narrowed[form_name] = replace(form, parameters=parameters)
-        if form.found_instant and not problems:
-            narrowed[form_name] = with_found_instant(narrowed[form_name])
-        if form.figure.graph and len(parameters) == len(form.parameters):
-            narrowed[form_name] = read_from_graph(narrowed[form_name], form.figure.graph)
+        narrowed[form_name] = _with_parameters(form, parameters, bool(problems))
     fitting = [name for name, form in narrowed.items() if not outside.get(name) and set(fixed) <= set(form.parameters)]
     for found in outside.values():
         advice = {"remedy": "choose form = " + " or ".join(f'"{name}"' for name in fitting)} if fitting else {}
@@ -140,6 +116,46 @@ def _restricted(narrowing: _Narrowing) -> Family:
     if problems:
         raise InputError(dict.fromkeys(problems))
     return replace(family, forms=_with_rows(narrowed))
+
+
+def _wrong_names(family: Family, narrowing: _Narrowing) -> list[Problem]:
+    """What is wrong with the names of forms and parameters of a narrowing."""
+    fixed, ranges, forms = narrowing.fixed, narrowing.ranges, narrowing.forms
+    problems = [
+        Problem("unknown form", key="form", value=str(name), remedy=nearest(str(name), family.forms))
+        for name in forms
+        if name not in family.forms
+    ]
+    chosen = [form for name, form in family.forms.items() if not forms or name in forms]
+    known = {name for form in chosen for name in form.parameters}
+    problems += [
+        Problem("unknown parameter", key=f"{key}.{name}", value=name, remedy=nearest(name, known))
+        for key, table in (("set", fixed), ("range", ranges))
+        for name in table
+        if name not in known
+    ]
+    instants = {name for form in chosen for name, parameter in form.parameters.items() if parameter.found}
+    remedy = "change instant in [laws]"
+    problems += [
+        Problem("the instant is found and cannot be set", "", f"set.{name}", name, remedy)
+        for name in sorted((fixed.keys() | ranges.keys()) & instants)
+    ]
+    problems += [
+        Problem("is both fixed and given a range", key=f"set.{name}", value=str(value), remedy="remove one")
+        for name, value in fixed.items()
+        if name in ranges
+    ]
+    return problems
+
+
+def _with_parameters(form: Form, parameters: Mapping[str, Parameter], is_faulty: bool) -> Form:
+    """The form with narrowed parameters; what follows from them is found, unless some of the family are wrong."""
+    narrowed = replace(form, parameters=parameters)
+    if form.found_instant and not is_faulty:
+        narrowed = with_found_instant(narrowed)
+    if form.figure.graph and len(parameters) == len(form.parameters):
+        narrowed = read_from_graph(narrowed, form.figure.graph)
+    return narrowed
 
 
 def _hand_friendly(family: Family, forms: Mapping[str, Form]) -> dict[str, Form]:

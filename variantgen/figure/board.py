@@ -8,7 +8,7 @@ from copy import copy
 from dataclasses import dataclass, field
 from typing import Self
 
-from variantgen.families.family import Form
+from variantgen.families.family import TOOTHED_RACK, Form
 from variantgen.families.literal_data import rate_name
 from variantgen.figure.draft import Draft
 from variantgen.figure.sketch import Sketch
@@ -80,6 +80,10 @@ class Board:
             ends = members if body in self.form.figure.plates else members[:2]
             found += [self.sketch.at[name] - self.sketch.at[point] for name in ends if name != point]
         return [step / abs(step) for step in found if abs(step) > 1e-6]
+
+    def is_rack(self, body: str | None) -> bool:
+        """Whether a body is a rack with teeth."""
+        return body is not None and self.form.nouns.get(body) == TOOTHED_RACK
 
     def is_disc(self, point: str) -> bool:
         """Whether a disc about the point is drawn."""

@@ -22,7 +22,7 @@ from variantgen.figure.links import draw_links, draw_walls
 from variantgen.figure.marks import draw_angle, draw_disc_name, draw_length, draw_radius, draw_right_angle
 from variantgen.figure.points import draw_points
 from variantgen.figure.sketch import Sketch
-from variantgen.figure.symbols.gears import contour
+from variantgen.figure.symbols.gears import contour, is_moving
 from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import Motion, take_scene
 from variantgen.mechanism.rows import Constraint
@@ -192,7 +192,8 @@ def _draw_mechanism(board: Board, radii: Sequence[float], marks: bool) -> None:
         if disc.arc:
             continue
         rim = contour(board, disc.centre, radius)
-        sketch.circle(sketch.at[disc.centre], rim, Layer.DISC, BOLD if disc.body else MEDIUM)
+        weight = BOLD if disc.body or is_moving(board, disc.centre, radius) else MEDIUM
+        sketch.circle(sketch.at[disc.centre], rim, Layer.DISC, weight)
         board.discs.setdefault(disc.body, []).append(radius)
     draw_walls(board)
     draw_links(board)

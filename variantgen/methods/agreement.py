@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from variantgen.algebra.expression import Value
 from variantgen.methods.linkage.problem import AGREES, Task
-from variantgen.methods.printed_numbers import PrintedNumbers
+from variantgen.methods.printed_numbers import PrintedNumbers, text_of
 from variantgen.methods.solution.book import Book, Known, resultant
 from variantgen.methods.steps.step import Sentence, Solution, Step
 from variantgen.variants.attempts import VerificationError
@@ -56,7 +56,7 @@ def confirm(book: Book, solution: Solution, methods: Sequence[str]) -> None:
     for step in (*solution.steps, Step(Sentence("check"), list(solution.check))):
         for what, off in printed.step(step):
             if not off <= AGREES:
-                raise _error(book.task, methods, f"{what} in the step {step.heading.key}", off)
+                raise _error(book.task, methods, f"{text_of(what)} in the step {step.heading.key}", off)
     confirm_answers(book.task, dict(solution.answers), methods)
 
 

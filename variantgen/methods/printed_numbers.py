@@ -38,7 +38,7 @@ from variantgen.methods.steps.step import (
 _ANYWHERE = "ways.unknown"  # the way of a vector of which not even the direction is known
 _ASKED = {"curvature": "rho", "ratio": "ratio", "rope": "v_rope"}  # names of asked quantities, by the motion
 _SMALL = 1e-6  # of a natural scale: numbers below it are not compared with each other alone, they may be rounding
-Off = tuple[str, float]  # what it is, and by how much it is off
+Off = tuple[str | Name | None, float]  # what it is, or its name, and by how much it is off
 
 
 @dataclass
@@ -48,6 +48,7 @@ class PrintedNumbers:
     task: Task
     measured: bool = False
     _checked: set[Value] = field(default_factory=set)
+    _pointed: set[tuple[Name, Value | None, Value, str]] = field(default_factory=set)  # vectors that were checked
 
     def __post_init__(self) -> None:
         self.solved = SolvedMotion(self.task)
@@ -59,10 +60,13 @@ class PrintedNumbers:
         for item in step.items:
             for value in in_order(items_values([item]), self._checked):
                 self._checked.add(value)
-                yield _text(value.name), self._value(value)
+                yield value.name, self._value(value)
             yield from self._equation(item)
             for term in _terms(item):
-                yield _text(term.name), self._term(term)
+                key = term.name, term.size, term.angle, term.way.key if term.size is None else ""
+                if key not in self._pointed:
+                    self._pointed.add(key)
+                    yield term.name, self._term(term)
                 if term.size is None and term.way.key != _ANYWHERE:
                     unknown[term.name] = term
             if isinstance(item, Derived) and item.law is not None:
@@ -71,9 +75,9 @@ class PrintedNumbers:
             if isinstance(item, Derived) and item.value.name is not None:
                 # A negative number is opposite to the direction that was assumed.
                 if item.value.name in unknown and not self.measured:
-                    yield _text(item.value.name), self._term(replace(unknown[item.value.name], size=item.value))
+                    yield item.value.name, self._term(replace(unknown[item.value.name], size=item.value))
                 if self.measured and item.value.exact < 0 and self._is_magnitude(item.value.name):
-                    yield f"the sign of {_text(item.value.name)}", math.inf
+                    yield f"the sign of {text_of(item.value.name)}", math.inf
                 if item.value.name.kind == "projection":
                     projections.append(item.value.exact)
         if projections:
@@ -210,7 +214,8 @@ class PrintedNumbers:
 
     def _projections(self, side: float, share: Share) -> list[complex]:
         """What stands in a projected equation, with the sign of its side."""
-        cosine = 1.0 if share.factor is None else share.factor.number(True)
+        factor = share.factor
+        cosine = 1.0 if factor is None else factor.number(True)
         sizes = [(vector / _vector(1.0, share.term)).real for vector in self._meant(share.term)]
         return [complex(side * share.sign * size * cosine) for size in sizes]
 
@@ -290,6 +295,8 @@ def _turn(degrees: float) -> float:
     return abs(math.remainder(math.radians(degrees), math.tau))
 
 
-def _text(name: Name | None) -> str:
-    """A name in a message."""
-    return "a number" if name is None else " ".join(filter(None, (f"{name.kind}_{name.of}", name.about, name.part)))
+def text_of(what: str | Name | None) -> str:
+    """What is off, in a message."""
+    if isinstance(what, Name):
+        return " ".join(filter(None, (f"{what.kind}_{what.of}", what.about, what.part)))
+    return what or "a number"

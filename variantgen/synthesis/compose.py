@@ -111,18 +111,34 @@ def sketched(structure: Structure, seed: object, scratch: Path) -> Family:
 def _varied(draft: Draft, structure: Structure, scratch: Path) -> tuple[Family, _Draws, float]:
     """The family of a draft that asks for nothing in particular, draws of it, and how far its values vary.
 
-    Raises LayoutError where few draws are valid, or links cross on some.
+    Raises LayoutError where few draws are valid, a link is at rest, or links cross on some; what shows on few draws is
+    looked for first.
     """
     _write_statements(draft, scratch)
+    why = ""
     for width in _WIDTHS:
         family = _family(family_text(draft, _titles(structure), code(structure), ["a_A"], width), scratch)
-        draws = _Draws(family, _quantities(family, ["a_A"]), _VALID)
+        try:
+            draws = _Draws(family, _quantities(family, ["a_A"]), _VALID)
+        except LayoutError as error:
+            why = str(error)
+            continue
+        if draws.has_resting_rotation():
+            raise LayoutError("a link that could turn does not turn in this position")
+        why = "links cross in other variants"
+        if _are_crossed(draft, draws.motion.z):
+            continue
         many = draws.many()
-        if not np.any(crossed(draft, {name: _CM * places for name, places in many.items()})):
+        if not _are_crossed(draft, many):
             draft.called = called(draft, many)
             _write_statements(draft, scratch)
             return family, draws, width
-    raise LayoutError("links cross in other variants")
+    raise LayoutError(why)
+
+
+def _are_crossed(draft: Draft, z: Mapping[str, ComplexField]) -> bool:
+    """Whether links cross on any of some draws, whose places are in metres."""
+    return bool(np.any(crossed(draft, {name: _CM * places for name, places in z.items()})))
 
 
 def _statements(draft: Draft) -> dict[str, str]:
@@ -154,8 +170,6 @@ def _accepted(
     text = family_text(draft, _titles(structure), code(structure), asked, width)
     family = _family(text, scratch)
     draws = _Draws(family, _quantities(family, asked), _VALID_ASKED)
-    if draws.has_resting_rotation():
-        raise LayoutError("a link that could turn does not turn in this position")
     if draws.fit(screening) < _FIT:
         raise LayoutError("rounding by hand leads too far")
     return {FAMILY: text, **_statements(draft)}, family

@@ -11,31 +11,67 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from variantgen.families.family import TOOTHED_RACK
 from variantgen.synthesis.draft import Draft, Wheel
 
 Bar: TypeAlias = tuple[str, str]
 _SMALLEST = 80.0  # cm: while the first links are laid out, the mechanism counts as large as this
-_APART, _CLEAR, _BASE = 0.09, 0.06, 1.5  # of hinges; of a hinge from a foreign link; more of a fixed one: sizes
+_APART, _CLEAR = 0.09, 0.06  # of hinges; of a hinge from a foreign link: sizes
+_BASE, _BOTH_FIXED = 1.5, 2.0  # as many times as much: of a fixed hinge, of two
 _FOLDED, _STRAIGHT = 18, 10  # degrees between two links at a common hinge, and from one straight line
 _GUIDE = 0.13  # of the whole: half the line of a fixed guide
-_MARKED = 0.2  # of the whole, between the corners of two marked angles, whose arcs would meet
+_MARKED, _STILL_MARKED = 0.25, 0.2  # of the whole, between the corners of two marked angles; on all draws
+_ARC = 0.13  # of the whole: the radius of the arc of a marked angle, and of the arrows about the driving link
 # Of the whole: what the end of a rack and the rim of a wheel keep from foreign links on all draws.
 _STILL_CLEAR, _OFF_RIM = 0.04, 0.02
-_OFF_WHEEL = 1.4  # radii of a wheel that others keep from its centre
+_OFF_WHEEL, _PIVOT_OFF_RIM = (
+    1.4,
+    0.13,
+)  # radii of a wheel that others keep from its centre; more of the first axis: sizes
 _MARGIN = 0.2  # of its guide, at each end, that a block keeps clear
+_AXES = {"+x": 1 + 0j, "-x": -1 + 0j, "+y": 1j, "-y": -1j}
+_PARTS = [place / 16 for place in range(17)]  # of a bar that is looked at
 _RATIO = 4.0  # longest over shortest length
 _LONGEST, _LARGEST = 3.2, 300.0  # longer over shorter side of the whole; cm
 
 
+class _Seen:
+    """A draft with what its screens ask for again and again."""
+
+    def __init__(self, draft: Draft) -> None:
+        self.draft, self.z = draft, draft.z
+        self.members = {bar: _members(draft, bar) for bar in draft.bars}
+        self.slid = {
+            (point, bar)
+            for point, start, end in draft.inside
+            for bar, members in self.members.items()
+            if start in members and end in members
+        }
+        hidden = draft.hints.get("hidden", ())
+        self.visible = [name for name in draft.z if name not in hidden]
+        places = [draft.z[name] for name in self.visible]
+        places += [draft.z[wheel.centre] + wheel.radius * way for wheel in draft.wheels for way in (1 + 1j, -1 - 1j)]
+        x, y = [place.real for place in places], [place.imag for place in places]
+        self.sides = max(x) - min(x), max(y) - min(y)
+        self.size = max(_SMALLEST, *self.sides)
+
+
+def _members(draft: Draft, bar: Bar) -> list[str]:
+    """The points of a link by two of them."""
+    one, other = bar
+    return next((points for points in draft.bodies.values() if one in points and other in points), list(bar))
+
+
 def crowded(draft: Draft) -> str:
     """What is too near to what, or crosses it; nothing where the figure is clear."""
+    seen = _Seen(draft)
     screens = (_near, _on_bars, _on_racks, _on_wheels, _bars, _blocks, _on_guides, _marks, _lengths)
-    return next(filter(None, (screen(draft) for screen in screens)), "")
+    return next(filter(None, (screen(seen) for screen in screens)), "")
 
 
 def too_long(draft: Draft) -> str:
     """Whether the whole is too long for its width, or too large."""
-    wide, high = _sides(draft)
+    wide, high = _Seen(draft).sides
     if max(wide, high) > _LONGEST * min(wide, high):
         return "too long"
     return "too large" if max(wide, high) > _LARGEST else ""
@@ -45,200 +81,199 @@ def crossed(draft: Draft, z: Mapping[str, NDArray[np.complex128]]) -> NDArray[np
     """On which of N variants of a draft two links cross that nothing joins, or one a guide or a wheel, or one is at the
     end of a rack; ``z`` has its points, in cm, shape (N,) each.
     """
+    seen = _Seen(draft)
     found = np.zeros(next(iter(z.values())).shape, dtype=bool)
-    places = np.array([z[name] for name in _visible(draft)])
+    places = np.array([z[name] for name in seen.visible])
     size = np.maximum(np.ptp(places.real, axis=0), np.ptp(places.imag, axis=0))
-    for point, bar in _near_guides(draft):
-        found |= _cross(_with_guide(draft, z, point, size), ("start", "end"), bar)
-    for end, bar in _near_racks(draft):
+    for one, other in _corners(seen):
+        found |= np.abs(z[one] - z[other]) < _STILL_MARKED * size
+    for point, bar in _near_guides(seen):
+        found |= _cross(_with_guide(seen, z, point, size), ("start", "end"), bar)
+    for end, bar in _near_racks(seen):
         found |= _off(z, end, bar) < _STILL_CLEAR * size
     for wheel in draft.wheels:
-        for bar in _off_wheel(draft, wheel):
+        for bar in _off_wheel(seen, wheel):
             found |= _off(z, wheel.centre, bar) < wheel.largest + _OFF_RIM * size
-    for one, other in combinations(draft.bars, 2):
-        if not _joined(draft, one, other):
-            found |= _cross(z, one, other)
+    for first, second in combinations(draft.bars, 2):
+        if not _joined(seen, first, second):
+            found |= _cross(z, first, second)
     return found
 
 
-def _near(draft: Draft) -> str:
-    size = _size(draft)
-    for one, other in combinations(_visible(draft), 2):
-        need = _APART * (_BASE if one in draft.pivots or other in draft.pivots else 1.0)
-        if draft.distance(one, other) < need * size:
+def _near(seen: _Seen) -> str:
+    size = seen.size
+    for one, other in combinations(seen.visible, 2):
+        pivots = (one in seen.draft.pivots) + (other in seen.draft.pivots)
+        need = _APART * (1.0, _BASE, _BOTH_FIXED)[pivots]
+        if seen.draft.distance(one, other) < need * size:
             return f"{one} near {other}"
     return ""
 
 
-def _on_bars(draft: Draft) -> str:
+def _on_bars(seen: _Seen) -> str:
     """A point on a link that it neither belongs to nor slides on."""
-    slid, size, visible = _slid(draft), _size(draft), _visible(draft)
-    for bar in draft.bars:
-        members = _members(draft, bar)
+    slid, size, visible = seen.slid, seen.size, seen.visible
+    for bar in seen.draft.bars:
+        members = seen.members[bar]
         for name in visible:
             if name in members or (name, bar) in slid:
                 continue
-            need = _CLEAR * (_BASE if name in draft.pivots else 1.0)
-            if _off(draft.z, name, bar) < need * size:
+            need = _ARC if name == "O" else _CLEAR * (_BASE if name in seen.draft.pivots else 1.0)
+            if _off(seen.z, name, bar) < need * size:
                 return f"{name} on {bar[0]}{bar[1]}"
     return ""
 
 
-def _on_racks(draft: Draft) -> str:
+def _on_racks(seen: _Seen) -> str:
     """A link at the end of a rack, which no point marks."""
-    size = _size(draft)
-    for end, bar in _near_racks(draft):
-        if _off(draft.z, end, bar) < _CLEAR * size:
+    size = seen.size
+    for end, bar in _near_racks(seen):
+        if _off(seen.z, end, bar) < _CLEAR * size:
             return f"{bar[0]}{bar[1]} at the end of a rack"
     return ""
 
 
-def _near_racks(draft: Draft) -> Iterator[tuple[str, Bar]]:
+def _near_racks(seen: _Seen) -> Iterator[tuple[str, Bar]]:
     """The ends of racks beyond their wheels, and the bars that are not hinged to the slider of the rack."""
-    for body, noun in draft.nouns.items():
-        if noun == "rack":
-            slider, end = draft.bodies[body]
-            yield from ((end, bar) for bar in draft.bars if slider not in bar)
+    for body, noun in seen.draft.nouns.items():
+        if noun == TOOTHED_RACK:
+            slider, end = seen.draft.bodies[body]
+            yield from ((end, bar) for bar in seen.draft.bars if slider not in bar)
 
 
-def _on_wheels(draft: Draft) -> str:
+def _on_wheels(seen: _Seen) -> str:
     """A link or a point in the way of a wheel."""
-    for wheel in draft.wheels:
+    size = seen.size
+    for wheel in seen.draft.wheels:
         need = _OFF_WHEEL * wheel.radius
-        for bar in _off_wheel(draft, wheel):
-            if _off(draft.z, wheel.centre, bar) < need:
+        if wheel.centre != "O" and seen.draft.distance(wheel.centre, "O") < wheel.radius + _PIVOT_OFF_RIM * size:
+            return "the driving link at the wheel"
+        for bar in _off_wheel(seen, wheel):
+            if _off(seen.z, wheel.centre, bar) < need:
                 return f"{bar[0]}{bar[1]} on the wheel"
-        for name in _visible(draft):
-            if name not in (wheel.centre, *wheel.touching) and draft.distance(wheel.centre, name) < need:
+        for name in seen.visible:
+            if name not in (wheel.centre, *wheel.touching) and seen.draft.distance(wheel.centre, name) < need:
                 return f"{name} on the wheel"
     return ""
 
 
-def _off_wheel(draft: Draft, wheel: Wheel) -> list[Bar]:
+def _off_wheel(seen: _Seen, wheel: Wheel) -> list[Bar]:
     """The bars that must not lie across a wheel: those that neither end at its centre nor touch it."""
-    return [bar for bar in draft.bars if not {wheel.centre, *wheel.touching} & set(bar)]
+    return [bar for bar in seen.draft.bars if not {wheel.centre, *wheel.touching} & set(bar)]
 
 
-def _bars(draft: Draft) -> str:
+def _bars(seen: _Seen) -> str:
     """Two links that cross, or that lie on each other."""
-    for one, other in combinations(draft.bars, 2):
-        if _members(draft, one) == _members(draft, other):
+    for one, other in combinations(seen.draft.bars, 2):
+        if seen.members[one] == seen.members[other]:
             continue
-        if not _joined(draft, one, other):
-            if _cross(draft.z, one, other):
+        if not _joined(seen, one, other):
+            if _cross(seen.z, one, other):
                 return "links cross"
-        elif _folded(draft, one, other):
+        elif _folded(seen, one, other):
             return "links lie on each other"
     return ""
 
 
-def _blocks(draft: Draft) -> str:
+def _blocks(seen: _Seen) -> str:
     """A block at the end of its guide, or a link of it that lies along the guide."""
-    for point, start, end in draft.inside:
-        guide = draft.z[end] - draft.z[start]
-        for bar in draft.bars:
-            members = _members(draft, bar)
+    for point, start, end in seen.draft.inside:
+        guide = seen.z[end] - seen.z[start]
+        for bar in seen.draft.bars:
+            members = seen.members[bar]
             if point in members and not {start, end} <= set(members):
                 far = bar[1] if point == bar[0] else bar[0]
-                angle = abs(math.degrees(cmath.phase((draft.z[far] - draft.z[point]) / guide)))
+                angle = abs(math.degrees(cmath.phase((seen.z[far] - seen.z[point]) / guide)))
                 if min(angle, 180 - angle) < _FOLDED:
                     return f"{bar[0]}{bar[1]} along the guide of {point}"
-        part = ((draft.z[point] - draft.z[start]) / (draft.z[end] - draft.z[start])).real
+        part = ((seen.z[point] - seen.z[start]) / (seen.z[end] - seen.z[start])).real
         if not _MARGIN <= part <= 1 - _MARGIN:
             return f"{point} at the end of its guide"
     return ""
 
 
-def _on_guides(draft: Draft) -> str:
+def _on_guides(seen: _Seen) -> str:
     """A link across the line of a fixed guide, or a point on it."""
-    size = _size(draft)
-    for point, bar in _near_guides(draft):
-        if _cross(_with_guide(draft, draft.z, point, size), ("start", "end"), bar):
+    size = seen.size
+    for point, bar in _near_guides(seen):
+        if _cross(_with_guide(seen, seen.z, point, size), ("start", "end"), bar):
             return f"{bar[0]}{bar[1]} across the guide of {point}"
-    for point, _ in _guides(draft):
-        z, own = _with_guide(draft, draft.z, point, size), _riding(draft, point)
-        for name in _visible(draft):
+    for point, _ in _guides(seen):
+        z, own = _with_guide(seen, seen.z, point, size), _riding(seen, point)
+        for name in seen.visible:
             if name not in own and _off(z, name, ("start", "end")) < _CLEAR * size:
                 return f"{name} on the guide of {point}"
     return ""
 
 
-def _guides(draft: Draft) -> list[tuple[str, float]]:
+def _guides(seen: _Seen) -> list[tuple[str, float]]:
     """The sliders in fixed guides and the directions of these (degrees); the bearing of a yoke is on its own bar."""
-    stems = draft.hints.get("stems", ())
-    guides = [fields for kind, fields in draft.joints if kind == "guide" and fields["point"] not in stems]
+    stems = seen.draft.hints.get("stems", ())
+    guides = [fields for kind, fields in seen.draft.joints if kind == "guide" and fields["point"] not in stems]
     return [(fields["point"], float(fields.get("angle", 0))) for fields in guides]
 
 
-def _near_guides(draft: Draft) -> Iterator[tuple[str, Bar]]:
+def _near_guides(seen: _Seen) -> Iterator[tuple[str, Bar]]:
     """Sliders in fixed guides, and the bars that must not lie across these: none ends there or slides on the pin."""
-    slid, grooves = _slid(draft), [set(ends) for ends in draft.hints.get("grooves", ())]
-    for point, _ in _guides(draft):
-        for bar in (bar for bar in draft.bars if set(bar) not in grooves or point not in _members(draft, bar)):
-            through = point in _members(draft, bar) and point not in bar
-            if through or (not {*bar} <= _riding(draft, point) and (point, bar) not in slid):
+    slid, grooves = seen.slid, [set(ends) for ends in seen.draft.hints.get("grooves", ())]
+    for point, _ in _guides(seen):
+        for bar in (bar for bar in seen.draft.bars if set(bar) not in grooves or point not in seen.members[bar]):
+            through = point in seen.members[bar] and point not in bar
+            if through or (not {*bar} <= _riding(seen, point) and (point, bar) not in slid):
                 yield point, bar
 
 
-def _riding(draft: Draft, point: str) -> set[str]:
+def _riding(seen: _Seen, point: str) -> set[str]:
     """A point and those of its bodies."""
-    return {point}.union(*(members for members in draft.bodies.values() if point in members))
+    return {point}.union(*(members for members in seen.draft.bodies.values() if point in members))
 
 
-def _with_guide(draft: Draft, z: Mapping[str, Any], point: str, size: Any) -> Mapping[str, Any]:
+def _with_guide(seen: _Seen, z: Mapping[str, Any], point: str, size: Any) -> Mapping[str, Any]:
     """Places with the ``start`` and the ``end`` of the line of a guide; ``size`` is that of the whole, as ``z``."""
-    half = _GUIDE * size * cmath.rect(1.0, math.radians(dict(_guides(draft))[point]))
+    half = _GUIDE * size * cmath.rect(1.0, math.radians(dict(_guides(seen))[point]))
     return {**z, "start": z[point] - half, "end": z[point] + half}
 
 
-def _marks(draft: Draft) -> str:
-    """Two marked angles at hinges that have no room for both arcs."""
-    size = _size(draft)
-    for one, other in combinations(sorted({mark["at"] for mark in draft.marks}), 2):
-        if draft.distance(one, other) < _MARKED * size:
+def _marks(seen: _Seen) -> str:
+    """Two marked angles at hinges that have no room for both arcs, or a link across an arc."""
+    size = seen.size
+    for one, other in _corners(seen):
+        if seen.draft.distance(one, other) < _MARKED * size:
             return f"angles at {one} and {other}"
+    for mark in seen.draft.marks:
+        for bar in seen.draft.bars:
+            if mark["at"] not in seen.members[bar] and _in_sector(seen, mark, bar, _ARC * size):
+                return f"{bar[0]}{bar[1]} across the angle at {mark['at']}"
     return ""
 
 
-def _lengths(draft: Draft) -> str:
-    sizes = [datum.value for datum in draft.data.values() if datum.unit == "cm"]
+def _corners(seen: _Seen) -> Iterator[tuple[str, str]]:
+    """Pairs of corners of marked angles."""
+    return combinations(sorted({mark["at"] for mark in seen.draft.marks}), 2)
+
+
+def _in_sector(seen: _Seen, mark: Mapping[str, str], bar: Bar, radius: float) -> bool:
+    """Whether a bar comes nearer than the arc of a marked angle, within that angle."""
+    if _off(seen.z, mark["at"], bar) >= radius:
+        return False
+    corner = seen.z[mark["at"]]
+    rays = [_AXES.get(mark[end]) or seen.z[mark[end]] - corner for end in ("from", "to")]
+    sweep = cmath.phase(rays[1] / rays[0])
+    for part in _PARTS:
+        step = seen.z[bar[0]] + part * (seen.z[bar[1]] - seen.z[bar[0]]) - corner
+        if abs(step) < radius and 0 <= cmath.phase(step / rays[0]) / sweep <= 1:
+            return True
+    return False
+
+
+def _lengths(seen: _Seen) -> str:
+    sizes = [datum.value for datum in seen.draft.data.values() if datum.unit == "cm"]
     return "lengths differ too much" if max(sizes) > _RATIO * min(sizes) else ""
 
 
-def _visible(draft: Draft) -> list[str]:
-    hidden = set(draft.hints.get("hidden", ()))
-    return [name for name in draft.z if name not in hidden]
-
-
-def _sides(draft: Draft) -> tuple[float, float]:
-    z = [draft.z[name] for name in _visible(draft)]
-    x, y = [place.real for place in z], [place.imag for place in z]
-    return max(x) - min(x), max(y) - min(y)
-
-
-def _size(draft: Draft) -> float:
-    return max(_SMALLEST, *_sides(draft))
-
-
-def _members(draft: Draft, bar: Bar) -> list[str]:
-    """The points of a link by two of them."""
-    one, other = bar
-    return next((points for points in draft.bodies.values() if one in points and other in points), list(bar))
-
-
-def _slid(draft: Draft) -> set[tuple[str, Bar]]:
-    """Blocks with the bars, as they are drawn, on which they slide."""
-    return {
-        (point, bar)
-        for point, start, end in draft.inside
-        for bar in draft.bars
-        if {start, end} <= set(_members(draft, bar))
-    }
-
-
-def _joined(draft: Draft, one: Bar, other: Bar) -> bool:
+def _joined(seen: _Seen, one: Bar, other: Bar) -> bool:
     """Whether two links have a common point or one slides on the other."""
-    first, second, slid = _members(draft, one), _members(draft, other), _slid(draft)
+    first, second, slid = seen.members[one], seen.members[other], seen.slid
     sliding = any((point, one) in slid for point in second) or any((point, other) in slid for point in first)
     return sliding or bool(set(first) & set(second))
 
@@ -261,10 +296,10 @@ def _cross(z: Mapping[str, Any], one: Bar, other: Bar) -> Any:
     return (side(a, b, c) * side(a, b, d) < 0) & (side(c, d, a) * side(c, d, b) < 0)
 
 
-def _folded(draft: Draft, one: Bar, other: Bar) -> bool:
+def _folded(seen: _Seen, one: Bar, other: Bar) -> bool:
     """Whether two links with a common hinge lie nearly on each other, or one goes on where the other ends."""
-    for hinge in set(_members(draft, one)) & set(_members(draft, other)):
-        ways = [[draft.z[end] - draft.z[hinge] for end in bar if end != hinge] for bar in (one, other)]
+    for hinge in set(seen.members[one]) & set(seen.members[other]):
+        ways = [[seen.z[end] - seen.z[hinge] for end in bar if end != hinge] for bar in (one, other)]
         angles = [abs(math.degrees(cmath.phase(p / q))) for p in ways[0] for q in ways[1]]
         if any(angle < _FOLDED or angle > 180 - _STRAIGHT for angle in angles):
             return True

@@ -22,7 +22,7 @@ Component: TypeAlias = tuple[str, dict[str, Any]]
 # Lists and tables of a draft whose entries do not change.
 _FLAT = (
     *("z", "points", "data", "marks", "inside", "bars", "wheels", "sentences", "position", "asked", "pivots"),
-    *("relative", "require", "symbols", "nouns", "called"),
+    *("relative", "require", "symbols", "nouns", "called", "along_axes"),
 )
 
 
@@ -87,6 +87,8 @@ class Draft:
 
     rng: Chance
     opening: str = OPENINGS[0]
+    lettered: bool = False  # fixed points have letters in the order of growth, not O1, O2
+    base: str = ""  # the point on whose line with O the angle of the driving link is measured; "-": beyond O
     z: dict[str, complex] = field(default_factory=dict)
     points: dict[str, Component] = field(default_factory=dict)
     data: dict[str, Datum] = field(default_factory=dict)
@@ -107,6 +109,12 @@ class Draft:
     symbols: dict[str, str] = field(default_factory=dict)
     nouns: dict[str, str] = field(default_factory=dict)
     called: dict[str, str] = field(default_factory=dict)  # bodies that are cranks or rockers
+    along_axes: set[frozenset[str]] = field(default_factory=set)  # two points on a horizontal or vertical line
+
+    @property
+    def upright(self) -> bool:
+        """Whether the angle of the driving link is measured from the vertical, not from the horizontal."""
+        return self.opening == "in_position"
 
     def copy(self) -> Draft:
         """A draft to go on with in one way, while this one stays as it is."""
@@ -124,21 +132,36 @@ class Draft:
         return Chance("style", of, *(f"{name}={datum.value:g}" for name, datum in self.data.items())).below(2)
 
     def letter(self) -> str:
-        """The next letter of a moving point."""
-        return next(letter for letter in LETTERS if letter not in self.points)
+        """The next letter of a moving point. Raises LayoutError where there is none."""
+        found = next((letter for letter in LETTERS if letter not in self.points), "")
+        if not found:
+            raise LayoutError("too many points")
+        return found
 
     def pivot(self) -> str:
         """The next name of a fixed point."""
-        return f"O{len(self.pivots)}"
+        return self.letter() if self.lettered else f"O{len(self.pivots)}"
+
+    def link_about(self, pivot: str, end: str) -> str:
+        """The name of a link about a fixed point: O1B, but BC in the order of letters."""
+        return "".join(sorted((pivot, end))) if self.lettered else pivot + end
 
     def hint(self, key: str, value: Any) -> None:
         """A line of the table ``[figure]``."""
         if value not in self.hints.setdefault(key, []):
             self.hints[key].append(value)
 
-    def length(self, one: str, other: str, value: float, spread: float = 0.3) -> str:
+    def lies_along_axis(self, one: str, other: str) -> bool:
+        """Whether two points are said to be on a horizontal or vertical line, by themselves or with their link."""
+        pair = {one, other}
+        return any(
+            pair == ends or any(ends <= {*points} and pair <= {*points} for points in self.bodies.values())
+            for ends in self.along_axes
+        )
+
+    def length(self, one: str, other: str, value: float, spread: float = 0.3, name: str = "") -> str:
         """A printed length between two points, rounded to its grid; returns its name."""
-        name = one + other
+        name = name or one + other
         rounded = _LENGTH_STEP * round(value / _LENGTH_STEP)
         self.data[name] = Datum("cm", rounded, _LENGTH_STEP, spread * rounded)
         return name
@@ -167,9 +190,9 @@ class Draft:
         if part in self.data and whole in self.data:
             self.require += [f"{part} < 0.75 * {whole}", f"{part} > 0.25 * {whole}"]
 
-    def bar(self, link: int, noun: str, start: str, end: str, free: tuple[str, ...] = ()) -> Link:
-        """A link that is a straight bar between two points."""
-        made = Link(start, end, noun, list(free), start + end)
+    def bar(self, link: int, noun: str, start: str, end: str, free: tuple[str, ...] = (), name: str = "") -> Link:
+        """A link that is a straight bar between two points; its ``name`` is that of its ends."""
+        made = Link(start, end, noun, list(free), name or start + end)
         self.links[link] = made
         self.bodies[made.body] = [start, end]
         self.bars.append((start, end))

@@ -16,12 +16,10 @@ def check_angle(angle: float) -> None:
         raise LayoutError("a dead point is near")
 
 
-def new_pivot(draft: Draft) -> str:
-    """A fixed pivot under the next name, which has its place already; returns the name."""
-    name = draft.pivot()
+def new_pivot(draft: Draft, name: str) -> None:
+    """A fixed pivot at a point that has its place already."""
     draft.pivots.append(name)
     draft.joint("pivot", point=name)
-    return name
 
 
 def facts_of(at: Attachment, index: str = "") -> dict[str, str]:
@@ -44,7 +42,7 @@ def on_bar(draft: Draft, bar: Link, point: str) -> list[tuple[str, dict[str, str
         slider = draft.bodies[bar.body][0]
         distance = draft.length(slider, point, draft.rng.choice((16, 18, 20)), 0.12)
         draft.polar(point, slider, distance, draft.direction(bar.start, bar.end), {"towards": bar.end})
-        return []
+        return [("instant_length", {"length": distance})]
     if draft.rng.random() < 0.5:
         draft.points[point] = "fraction", {"start": bar.start, "end": bar.end}
         draft.z[point] = 0.5 * (draft.z[bar.start] + draft.z[bar.end])

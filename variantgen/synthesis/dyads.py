@@ -24,6 +24,8 @@ from variantgen.synthesis.sliding_dyads import collar, two_guides, yoke
 from variantgen.synthesis.structures import FRAME, AssurGroup
 
 _SHORTEST = 14  # of two rods to a common pin, cm
+_WELL = 0.96  # of two lengths of a four-bar linkage, at most, the two others together, so that a crank turns
+_PIVOTS_TOLD = 0.35  # how often a four-bar linkage is given by its lengths
 
 
 def place_dyad(draft: Draft, place: int, dyad: AssurGroup, uses: dict[int, str]) -> None:
@@ -41,21 +43,70 @@ def _two_rods(draft: Draft, links: tuple[int, int], dyad: AssurGroup, _: dict[in
     at = hinge_on(draft, on, to)
     joint = draft.letter()
     rod = draft.length(at.point, joint, draft.rng.choice(RODS))
-    angle, fields, said = way(draft, at.point, joint, at.towards)
-    draft.polar(joint, at.point, rod, angle, fields)
+    if at.point == "A" and not draft.sentences and draft.rng.random() < _PIVOTS_TOLD:
+        pivot = _pivots_in_line(draft, at, joint, rod)
+    else:
+        angle, fields, said = way(draft, at.point, joint, at.towards)
+        draft.polar(joint, at.point, rod, angle, fields)
+        pivot = draft.pivot()
+        name = draft.link_about(pivot, joint)
+        rocker = draft.length(pivot, joint, draft.rng.choice(ROCKERS), name=name)
+        turned, back, said_back = way(draft, joint, pivot, at.point)
+        draft.polar(pivot, joint, rocker, turned, back)
+        draft.position += said + _turned_round(said_back, name)
+    new_pivot(draft, pivot)
+    check_angle(between(draft.direction(joint, pivot), draft.direction(joint, at.point)))
+    draft.bar(first, _rod_at(at), at.point, joint)
+    name = draft.bar(second, "link", pivot, joint, name=draft.link_about(pivot, joint)).body
+    facts = {"rod": at.point + joint, "rocker": name, "pivot": pivot, "joint": joint}
+    draft.sentences.append(("rod_and_rocker", facts | facts_of(at)))
+    draft.asked.append([f"v_{joint}", f"omega_{name}", f"omega_{at.point}{joint}"])
+
+
+def _pivots_in_line(draft: Draft, at: Attachment, joint: str, rod: str) -> str:
+    """The four-bar linkage by its four lengths; the angle of the driving link is that with the line of the pivots."""
+    axis = 90 if draft.upright else 0
+    draft.z[joint] = draft.z["O"]  # its letter is taken
+    draft.points[joint] = "coordinates", {}
     pivot = draft.pivot()
-    rocker = draft.length(pivot, joint, draft.rng.choice(ROCKERS))
-    turned, back, said_back = way(draft, joint, pivot, at.point)
-    draft.polar(pivot, joint, rocker, turned, back)
-    new_pivot(draft)
-    check_angle(between(turned, angle))
-    draft.bar(first, "rod", at.point, joint)
-    draft.bar(second, "link", pivot, joint)
-    draft.position += said + _turned_round(said_back, pivot + joint)
-    draft.sentences.append(
-        ("rod_and_rocker", {"rod": at.point + joint, "rocker": pivot + joint, "pivot": pivot} | facts_of(at))
-    )
-    draft.asked.append([f"v_{joint}", f"omega_{pivot}{joint}", f"omega_{at.point}{joint}"])
+    frame = draft.length("O", pivot, draft.rng.choice(RODS))
+    draft.polar(pivot, "O", frame, axis, {"angle": f"{axis}*deg"} if axis else {})
+    rocker = draft.length(pivot, joint, draft.rng.choice(ROCKERS), name=draft.link_about(pivot, joint))
+    _meet(draft, joint, (at.point, rod), (pivot, rocker), draft.rng.choice(("left", "right")))
+    # Grashof's condition, on all draws where it holds well here: the driving link turns full circle.
+    crank, others = draft.value("OA"), (frame, rod, rocker)
+    whole = sum(map(draft.value, others))
+    if all(crank + 2 * draft.value(name) < _WELL * whole for name in others):
+        draft.require += [f"OA + 2 * {name} < {' + '.join(others)} - 1*cm" for name in others]
+    draft.base = pivot
+    draft.marks[0] = {**draft.marks[0], "from": pivot}
+    draft.position.append(("pivots_upright" if axis else "pivots_level", {"one": "O", "other": pivot}))
+    return pivot
+
+
+def _meet(draft: Draft, joint: str, one: tuple[str, str], other: tuple[str, str], side: str) -> None:
+    """A joint at printed distances from two points (each with the name of its distance), on a side of their line.
+
+    Raises LayoutError where it does not exist.
+    """
+    (first, first_distance), (second, second_distance) = one, other
+    start, step = draft.z[first], draft.z[second] - draft.z[first]
+    span, a, b = abs(step), draft.value(first_distance), draft.value(second_distance)
+    if not abs(a - b) < span < a + b:
+        raise LayoutError("does not assemble")
+    along = 0.5 * (span + (a * a - b * b) / span)
+    across = math.sqrt(a * a - along * along) * (1 if side == "left" else -1)
+    draft.z[joint] = start + (along + 1j * across) * step / span
+    draft.points.pop(joint, None)  # after those that it is made from
+    draft.points[joint] = "circle_circle", {
+        "first": first, "first_distance": first_distance,
+        "second": second, "second_distance": second_distance, "side": side,
+    }  # fmt: skip
+
+
+def _rod_at(at: Attachment) -> str:
+    """What a rod to a slider, a wheel or a link about a fixed axis is called: a coupler on the driving link."""
+    return "coupler" if at.point == "A" else "rod"
 
 
 def _turned_round(said: list[tuple[str, dict[str, str]]], link: str) -> list[tuple[str, dict[str, str]]]:
@@ -73,20 +124,10 @@ def _bridge(draft: Draft, links: tuple[int, int], ends: tuple[int, int]) -> None
     angle = math.radians(draft.rng.uniform(50, 110))
     skew = draft.rng.uniform(0.8, 1.25)
     first, side = 0.5 * span / math.sin(0.5 * angle) * skew, draft.rng.choice(("left", "right"))
-    a = draft.value(draft.length(one.point, joint, first))
-    b = draft.value(draft.length(other.point, joint, first / skew**2))
-    start, step = draft.z[one.point], draft.z[other.point] - draft.z[one.point]
-    if min(a, b) < _SHORTEST:
+    a, b = draft.length(one.point, joint, first), draft.length(other.point, joint, first / skew**2)
+    if min(draft.value(a), draft.value(b)) < _SHORTEST:
         raise LayoutError("short rods")
-    if not abs(a - b) < span < a + b:
-        raise LayoutError("does not assemble")
-    along = 0.5 * (span + (a * a - b * b) / span)
-    across = math.sqrt(a * a - along * along) * (1 if side == "left" else -1)
-    draft.z[joint] = start + (along + 1j * across) * step / span
-    draft.points[joint] = "circle_circle", {
-        "first": one.point, "first_distance": one.point + joint,
-        "second": other.point, "second_distance": other.point + joint, "side": side,
-    }  # fmt: skip
+    _meet(draft, joint, (one.point, a), (other.point, b), side)
     check_angle(between(draft.direction(joint, one.point), draft.direction(joint, other.point)))
     draft.bar(links[0], "rod", one.point, joint)
     draft.bar(links[1], "rod", other.point, joint)
@@ -121,7 +162,7 @@ def _fixed_guide(draft: Draft, links: tuple[int, int], dyad: AssurGroup) -> None
     if off_line(draft.direction(at.point, slider), guide) > 90 - LEAST:
         raise LayoutError("a dead point is near")
     draft.joint("guide", point=slider, **({"angle": guide} if guide else {}))
-    draft.bar(links[0], "rod", at.point, slider)
+    draft.bar(links[0], _rod_at(at), at.point, slider)
     draft.links[links[1]] = Link(slider, noun="slider", guide=guide, mates={links[0]})
     key = "rod_and_slider_through" if through else "rod_and_slider"
     facts = {"rod": at.point + slider, "slider": slider, "way": FIXED[guide], "through": through}
@@ -149,7 +190,7 @@ def _rod_and_wheel(draft: Draft, links: tuple[int, int], dyad: AssurGroup, _: di
     draft.wheel(centre, "r")
     draft.hint("hidden", "P")  # and its radius is given
     draft.hint("discs", {"centre": centre, "radius": "r", "name": "r", "body": WHEEL})
-    draft.bar(links[0], "rod", at.point, centre)
+    draft.bar(links[0], _rod_at(at), at.point, centre)
     draft.links[links[1]] = Link(centre, noun="wheel")
     draft.sentences.append(("rod_and_wheel", {"rod": at.point + centre, "point": centre} | facts_of(at)))
     draft.asked.append([f"v_{centre}", f"omega_{WHEEL}", f"omega_{at.point}{centre}"])
@@ -165,6 +206,10 @@ def _through_pivot(draft: Draft, at: Attachment, slider: str, rod: str, guide: i
     draft.z[slider] = draft.z["O"] + u * (along + branch * math.sqrt(draft.value(rod) ** 2 - off * off))
     fields = {"through": "O", "centre": at.point, "distance": rod, "branch": "ahead" if branch > 0 else "behind"}
     draft.points[slider] = "line_circle", fields | ({"angle": f"{guide}*deg"} if guide else {})
+    if branch > 0 and draft.upright == (guide == 90) and draft.value(rod) > 1.1 * draft.value("OA"):
+        draft.base = slider  # which is ahead of O with every longer rod
+        draft.marks[0] = {**draft.marks[0], "from": slider}
+        draft.require.append(f"{rod} > OA")
 
 
 def _moving_guide(draft: Draft, links: tuple[int, int], dyad: AssurGroup) -> None:
@@ -201,19 +246,20 @@ def _rocker_with_block(draft: Draft, links: tuple[int, int], dyad: AssurGroup) -
     bar, block = line_on(draft, dyad.to), draft.letter()
     draft.position += on_bar(draft, bar, block)
     pivot = draft.pivot()
-    rocker = draft.length(pivot, block, draft.rng.choice(ROCKERS))
+    name = draft.link_about(pivot, block)
+    rocker = draft.length(pivot, block, draft.rng.choice(ROCKERS), name=name)
     angle, fields, said = way(draft, block, pivot, draft.bodies[bar.body][0])
     draft.polar(pivot, block, rocker, angle, fields)
-    new_pivot(draft)
+    new_pivot(draft, pivot)
     if off_line(angle, draft.direction(bar.start, bar.end)) > 90 - LEAST:
         raise LayoutError("a dead point is near")
-    draft.position += _turned_round(said, pivot + block)
+    draft.position += _turned_round(said, name)
     slide(draft, block, bar, "slide")
-    draft.bar(links[0], "link", pivot, block)
+    draft.bar(links[0], "link", pivot, block, name=name)
     draft.links[links[1]] = Link(block, noun="slide", mates={links[0]}, line=(bar.start, bar.end))
-    facts = {"rocker": pivot + block, "pivot": pivot, "slider": block, "noun": bar.noun, "bar": bar.body}
+    facts = {"rocker": name, "pivot": pivot, "slider": block, "noun": bar.noun, "bar": bar.body}
     draft.sentences.append(("rocker_with_block", facts))
-    draft.asked.append([f"omega_{pivot}{block}", f"v_rel_{block}", f"v_{block}"])
+    draft.asked.append([f"omega_{name}", f"v_rel_{block}", f"v_{block}"])
 
 
 _PLACING: dict[str, Callable[[Draft, tuple[int, int], AssurGroup, dict[int, str]], None]] = {

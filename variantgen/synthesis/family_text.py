@@ -53,10 +53,20 @@ def family_text(
     lines.append(f"angles = [{', '.join(_inline(mark) for mark in draft.marks)}]")
     for key, values in draft.hints.items():
         lines.append(f"{key} = [{', '.join(_value(value) for value in values)}]")
-    for table, entries in (("symbols", draft.symbols), ("nouns", draft.nouns)):
+    for table, entries in (("symbols", draft.symbols), ("nouns", _nouns(draft))):
         if entries:
             lines += ["", f"[{table}]", *(f"{name} = {_value(value)}" for name, value in entries.items())]
     return "\n".join(lines) + "\n"
+
+
+def _nouns(draft: Draft) -> dict[str, str]:
+    """What bodies are called in solutions, as in the statement; without one they are links, gears, wheels."""
+    found = {}
+    for link in draft.links.values():
+        noun = draft.called.get(link.body) or (link.noun if link.end else "rod")  # or an arm fixed to a block
+        if link.body in draft.bodies and noun not in ("driver", "link"):
+            found[link.body] = noun
+    return found | draft.nouns
 
 
 def changes_speed(draft: Draft) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from variantgen.families.family import TOOTHED_RACK
 from variantgen.synthesis.directions import between
 from variantgen.synthesis.draft import PINION, Draft, LayoutError, Link, Wheel
 from variantgen.synthesis.dyad_parts import FIXED, new_pivot
@@ -71,13 +72,14 @@ def _gear_in_mesh(draft: Draft, link: Link) -> None:
     draft.place(pivot, axis, draft.value(on_link) + draft.value(own), angle)
     way = {"angle": f"{angle}*deg"} if angle else {}
     draft.points[pivot] = "polar", {"origin": axis, "distance": "R + r", **way}
-    new_pivot(draft)
+    new_pivot(draft, pivot)
     draft.wheel(axis, on_link)
     draft.wheel(pivot, own)
     fields = {"body": PINION, "centre": pivot, "radius": own, "other_centre": axis, "other": link.body}
     draft.joint("gears", **fields)
     _pinion(draft, pivot, own)
-    draft.sentences.append(("gear_in_mesh", {"bar": link.body, "noun": link.noun, "on_link": on_link, "own": own}))
+    facts = {"bar": link.body, "noun": link.noun, "on_link": on_link, "own": own, "axle": pivot}
+    draft.sentences.append(("gear_in_mesh", facts))
     draft.asked.append([f"omega_{PINION}", f"omega_{link.body}"])
 
 
@@ -141,7 +143,8 @@ def _rack(draft: Draft, slider: str, pitch_point: str, centre: str, radius: str,
     body = f"rack{slider}"
     draft.bodies[body] = [slider, end]
     draft.symbols[body] = ""
-    draft.nouns[body] = "rack"
+    draft.nouns[body] = TOOTHED_RACK
+    draft.hint("plain", body)
     draft.bars.append((slider, end))
     draft.bodies[wheel].append(pitch_point)
     draft.hint("hidden", pitch_point)
@@ -156,13 +159,17 @@ def _driven_by_rack(draft: Draft, slider: Link) -> None:
     """A rack fixed to a slider in a fixed guide turns a gear about a fixed axis."""
     if slider.guide is None:
         raise LayoutError("the slider is in no fixed guide")
-    block, pivot = slider.start, draft.pivot()
+    block = slider.start
     radius = draft.radius("r", draft.rng.choice(_RADII[:5]), _SPREAD)
     along, side = slider.guide + draft.rng.choice((0, 180)), draft.rng.choice((90, -90))
+    far = next(name for bar in draft.bars if block in bar for name in bar if name != block)
+    if between(draft.direction(block, far), along + side) < 90:
+        raise LayoutError("the guide of the rack is on the side of its rod")
     contact = _contact(draft)
     draft.place(contact, block, draft.value(radius) + draft.rng.choice(_PAST), along)
+    pivot = draft.pivot()
     draft.polar(pivot, contact, radius, along + side, {"angle": f"{(along + side) % 360}*deg"})
-    new_pivot(draft)
+    new_pivot(draft, pivot)
     _pinion(draft, pivot, radius)
     _rack(draft, block, contact, pivot, radius, PINION)
     draft.sentences.append(("gear_on_rack", {"slider": block, "pivot": pivot, "own": radius}))
@@ -183,7 +190,6 @@ def rack(draft: Draft, links: tuple[int, int], dyad: AssurGroup, _: dict[int, st
     draft.joint("guide", point=block, **({"angle": guide} if guide else {}))
     body = _rack(draft, block, contact, axis, radius, link.body)
     draft.links[links[0]] = Link(block, noun="slider", guide=guide, body=body)
-    draft.nouns[link.body] = "link"
     facts = {"slider": block, "bar": link.body, "noun": link.noun, "own": radius, "way": FIXED[guide]}
     draft.sentences.append(("rack_on_gear", facts))
     draft.asked.append([f"v_{block}", f"omega_{link.body}"])

@@ -9,6 +9,7 @@ from variantgen.synthesis.dyads import place_dyad
 from variantgen.synthesis.structures import CRANK, FRAME, Structure
 
 MOST_DATA = 10
+_LETTERED, _MANY_GROUPS = 0.6, 3  # how often fixed points have letters as others; letters would not do for more
 _TRIES, _TOO_MANY = 60, 12  # of one dyad on what is there; of these with too many data
 
 
@@ -16,6 +17,7 @@ def lay_out(structure: Structure, rng: Chance) -> Draft:
     """A mechanism of a structure at one instant. Raises LayoutError where the tries are used up."""
     uses = _uses(structure)
     draft = _crank(rng, "R" not in uses[CRANK])
+    draft.lettered = len(structure) < _MANY_GROUPS and rng.random() < _LETTERED
     for place in range(len(structure)):
         draft = _next(draft, place, structure, uses)
     if problem := too_long(draft):
@@ -45,11 +47,12 @@ def _crank(rng: Chance, only_slid_on: bool) -> Draft:
     size = rng.choice((44, 50, 56, 60)) if only_slid_on else rng.choice((24, 28, 30, 32, 36, 40))
     angle = rng.choice((30, 40, 45, 50, 60, 120, 130, 135, 140, 150))
     draft.data["OA"] = Datum("cm", size, 2, 6)
-    upright = draft.opening == "in_position"  # then it is measured from the vertical
-    draft.data["phi"] = Datum("deg", abs(90 - angle) if upright else angle, 5, 10)
+    draft.data["phi"] = Datum("deg", abs(90 - angle) if draft.upright else angle, 5, 10)
     draft.data["omega_OA"] = Datum("rad/s", rng.choice((2, 2.5, 3, 3.5, 4)), 0.5, 1)
-    draft.polar("A", "O", "OA", angle, {"angle": f"90*deg {'-' if angle < 90 else '+'} phi" if upright else "phi"})
-    draft.marks.append({"name": "phi", "at": "O", "from": "+y" if upright else "+x", "to": "A"})
+    draft.polar(
+        "A", "O", "OA", angle, {"angle": f"90*deg {'-' if angle < 90 else '+'} phi" if draft.upright else "phi"}
+    )
+    draft.marks.append({"name": "phi", "at": "O", "from": "+y" if draft.upright else "+x", "to": "A"})
     draft.bar(CRANK, "driver", "O", "A", () if only_slid_on else ("A",))
     return draft
 

@@ -54,7 +54,7 @@ def _swings(draft: Draft, z: Mapping[str, ComplexField], facts: Facts) -> bool:
     axis = next((name for name in draft.pivots if name in draft.bodies.get(facts.get("at_link", ""), ())), None)
     if axis is None:
         return False
-    start, end, pivot = facts["at_point"], facts["rocker"].removeprefix(facts["pivot"]), facts["pivot"]
+    start, end, pivot = facts["at_point"], facts["joint"], facts["pivot"]
     link, rod, other, frame = (
         np.abs(z[b] - z[a]) for a, b in ((pivot, end), (start, end), (axis, start), (axis, pivot))
     )
@@ -72,7 +72,7 @@ def _lets_turn(draft: Draft, z: Mapping[str, ComplexField], key: str, facts: Fac
         return key in GEARS  # which keep no link from turning; racks are as long as need be
     crank = np.abs(z["A"] - z["O"])
     if key == "rod_and_rocker":
-        pivot, end = facts["pivot"], facts["rocker"].removeprefix(facts["pivot"])
+        pivot, end = facts["pivot"], facts["joint"]
         rod, other, frame = (np.abs(z[b] - z[a]) for a, b in (("A", end), (pivot, end), ("O", pivot)))
         return bool(np.all(four_bar_turns(crank, rod, other, frame)))
     if key in ("rod_and_slider", "rod_and_slider_through"):

@@ -23,7 +23,7 @@ def collar(draft: Draft, links: tuple[int, int], dyad: AssurGroup, uses: dict[in
         distance = draft.length(at.point, pivot, draft.rng.choice(ROCKERS), 0.2)
         angle, fields, said = way(draft, at.point, pivot, at.towards)
         draft.polar(pivot, at.point, distance, angle, fields)
-        new_pivot(draft)
+        new_pivot(draft, pivot)
         draft.position += [*said, ("instant_length", {"length": distance})]
         end = _far_end(draft, at.point, pivot, uses[bar])
         collared, key = pivot, "rod_through_fixed_collar"
@@ -50,6 +50,8 @@ def collar(draft: Draft, links: tuple[int, int], dyad: AssurGroup, uses: dict[in
 def _far_end(draft: Draft, start: str, through: str, used: str) -> str:
     """The end of a bar beyond the point through which it passes, at a printed distance where it is used."""
     end = draft.letter()
+    if draft.lies_along_axis(start, through):
+        draft.along_axes.add(frozenset((start, end)))
     size = draft.distance(start, through) * draft.rng.choice((1.35, 1.5, 1.6))
     angle = draft.direction(start, through)
     if "R" in used:
@@ -76,6 +78,10 @@ def _slotted_arm(draft: Draft, arm: int, block: int, on: int) -> None:
         distance = draft.length("O", pivot, draft.rng.choice(RODS))
         draft.polar(pivot, "O", distance, axis, {"angle": f"{axis}*deg"} if axis else {})
         draft.position.append(("pivots_level" if axis % 180 == 0 else "pivots_upright", {"one": "O", "other": pivot}))
+        if draft.upright == (axis % 180 == 90):
+            draft.base = pivot if axis < 180 else f"-{pivot}"
+            if axis < 180:
+                draft.marks[0] = {**draft.marks[0], "from": pivot}
     else:
         distance = draft.length(at.point, pivot, draft.rng.choice(ROCKERS), 0.2)
         angle, fields, said = way(draft, at.point, pivot, at.towards)
@@ -83,7 +89,7 @@ def _slotted_arm(draft: Draft, arm: int, block: int, on: int) -> None:
         draft.position += [*said, ("instant_length", {"length": distance})]
     if abs(z - draft.z[pivot]) < 20:
         raise LayoutError("hinges too near")
-    new_pivot(draft)
+    new_pivot(draft, pivot)
     end = _far_end(draft, pivot, at.point, "R")
     draft.position = [
         (k, f | ({"link": pivot + end} if f.get("link") == at.point + pivot else {})) for k, f in draft.position

@@ -42,15 +42,18 @@ def statement_text(draft: Draft, language: str) -> str:
 def _mechanism(draft: Draft, words: Mapping[str, Any]) -> list[str]:
     """A sentence for each dyad, and one for an arm before it; two in a row that begin alike are joined."""
     found: list[str] = []
+    driver_told = False
     for place, (key, said) in enumerate(draft.sentences):
-        facts = _as_called(said, draft.called)
+        facts = _as_called(said, draft.called, driver_told)
+        driver_told = driver_told or CRANK in said.values()
         for index in ("", "_to"):
             if facts.get(f"at{index}") in words["arms"]:
                 found.append(words["arms"][facts[f"at{index}"]].format(**_forms(_place(facts, index), words)))
         at_end = not place and facts.get("at") == "end" and facts["at_link"] == CRANK
-        driven = draft.opening == "driven" and at_end and key in words["driven"]
-        sentence = _worded(draft, words["driven" if driven else "sentences"][key])
-        found.append(sentence.format(**_filled(facts, words)))
+        table = words["driven" if draft.opening == "driven" and at_end and key in words["driven"] else "sentences"]
+        if draft.opening == "driven" and at_end and draft.called.get(CRANK) == "crank" and key in words["named"]:
+            table = words["named"]
+        found.append(_worded(draft, table[key]).format(**_filled(facts, words)))
     joined = found[:1]
     for sentence in found[1:]:
         if sentence.split()[:2] == joined[-1].split()[:2] and ";" not in joined[-1]:
@@ -63,24 +66,33 @@ def _mechanism(draft: Draft, words: Mapping[str, Any]) -> list[str]:
 def _position(draft: Draft, words: Mapping[str, Any]) -> str:
     """What the position is given by, and the given motion; links that lie alike stand together."""
     phrases, said = words["position"], draft.position
-    upright = draft.marks[0]["from"] == "+y"
-    angles = [phrases["upright"].format()] if upright else []
-    inclined = [] if upright else [("phi", CRANK)]
-    inclined += [(facts["angle"], facts["link"]) for key, facts in said if key == "incline"]
+    upright = draft.upright
+    called = draft.called.get(CRANK, "link")
+    inclined = [(facts["angle"], facts["link"]) for key, facts in said if key == "incline"]
+    angles = []
+    if inclined and not upright and not draft.base:
+        inclined = [("phi", CRANK), *inclined]
+    else:
+        along = "upright" if upright else "level"
+        key = ("beyond" if draft.base.startswith("-") else "base") if draft.base else along
+        angles.append(phrases[key].format(base=draft.base.lstrip("-"), driver_here=words["here"][called].format()))
     if inclined:
         names, links = (_joined(part, words) for part in zip(*inclined, strict=True))
         angles.append(
             phrases["incline_one" if len(inclined) == 1 else "incline_many"].format(angles=names, names=links)
         )
     angles += [phrases[key].format(**facts) for key, facts in said if key == "angle"]
-    clauses, middles = ([phrases[key].format(**f) for k, f in said if k == key] for key in ("square", "halfway"))
+    angles += [phrases[key].format(**facts) for key, facts in said if key == "instant_length"]
+    clauses, middles = _squares(draft, words), [phrases[key].format(**f) for key, f in said if key == "halfway"]
     for key in ("level", "upright"):
-        alike = [f["link"] if k == key else f["one"] + f["other"] for k, f in said if k in (key, f"pivots_{key}")]
+        alike = [f["link"] for k, f in said if k == key]
+        if not draft.base or _tells_axes(draft):
+            alike += [f["one"] + f["other"] for k, f in said if k == f"pivots_{key}"]
         if alike:
             form = phrases[f"{key}_{'one' if len(set(alike)) == 1 else 'many'}"]
             clauses.append(form.format(names=_joined(list(dict.fromkeys(alike)), words)))
     there = _listed([*clauses, *middles], words)  # "C is in the middle of AB and O1D is" would be read wrongly
-    driver = words["nouns"][draft.called.get(CRANK, "driver")]
+    driver = words["nouns"][called]
     opening = "given" if draft.opening == "given" and not draft.relative else "in_position"  # the shorter one
     if there:
         there = f"; {there}" if opening == "given" else f"{there}; "
@@ -92,17 +104,40 @@ def _position(draft: Draft, words: Mapping[str, Any]) -> str:
     )
 
 
+def _squares(draft: Draft, words: Mapping[str, Any]) -> list[str]:
+    """What is perpendicular to what; what is so to the same link stands together."""
+    found: dict[str, list[str]] = {}
+    for key, facts in draft.position:
+        if key == "square":
+            found.setdefault(facts["one"], []).append(facts["link"])
+    forms = {links: words["position"][f"square_{'one' if len(found[links]) == 1 else 'many'}"] for links in found}
+    return [forms[one].format(names=_joined(links, words), one=one) for one, links in found.items()]
+
+
+def _tells_axes(draft: Draft) -> bool:
+    """Whether a statement says what is horizontal or vertical, or what angle something makes with it."""
+    alone = ("level", "upright", "incline")
+    return any("way" in facts for _, facts in draft.sentences) or any(key in alone for key, _ in draft.position)
+
+
 def _worded(draft: Draft, said: str | Sequence[str]) -> str:
     """A sentence, or of several ways to say it the one that goes with the statement."""
     return said if isinstance(said, str) else said[draft.style("words") % len(said)]
 
 
-def _as_called(facts: Facts, known: Mapping[str, str]) -> Facts:
-    """The facts with links called what they are: cranks and rockers; ``turning``: what a rod drives, ``driver``: OA."""
+def _as_called(facts: Facts, known: Mapping[str, str], driver_told: bool) -> Facts:
+    """The facts with links called what they are: cranks and rockers; ``turning``: what a rod drives, ``driver``: OA.
+
+    ``driver_told``: it has been said that OA drives.
+    """
     bodies = {"noun": "bar", "at_noun": "at_link", "at_to_noun": "at_to_link"}
-    nouns = {noun: known[facts[body]] for noun, body in bodies.items() if facts.get(body) in known}
-    driver = known.get(CRANK, "driver")
-    return {**facts, **nouns, "driver": driver, "turning": known.get(facts.get("rocker", ""), "link")}
+    driver = known.get(CRANK, "link" if driver_told else "driver")
+    called = {**known, CRANK: driver}
+    nouns = {noun: called[facts[body]] for noun, body in bodies.items() if facts.get(body) in called}
+    coupler = "coupler" if facts.get("at_point") == "A" else "rod"
+    return {
+        **facts, **nouns, "driver": driver, "turning": known.get(facts.get("rocker", ""), "link"), "coupler": coupler,
+    }  # fmt: skip
 
 
 def _joined(names: Sequence[str], words: Mapping[str, Any]) -> str:
@@ -130,13 +165,15 @@ def _forms(facts: Facts, words: Mapping[str, Any]) -> Facts:
         ("across", "ways"),
         ("driver", "nouns"),
         ("turning", "nouns"),
+        ("coupler", "rods"),
     )
     for fact, table in tables:
         for name in words:
             if fact in facts and name.partition("_")[0] == table:
                 found[name.replace(table, fact)] = words[name].get(facts[fact], "")
-    if driver := found.get("driver"):
-        found["Driver"] = driver[0].upper() + driver[1:]
+    for fact in ("driver", "coupler"):
+        if told := found.get(fact):
+            found[fact.capitalize()] = told[0].upper() + told[1:]
     return found
 
 

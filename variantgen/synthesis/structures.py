@@ -27,7 +27,6 @@ SINGLE = (GEAR, RACK)
 TERMINAL = (ROLLING, *SINGLE)
 SYMMETRIC = ("RRR", "RPR", "PRP")
 FRAME, CRANK = 0, 1
-MOST_DYADS = 3
 _CODE = re.compile(r"([RPW]{2,3})(\d)(\d)")
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import argparse
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from math import isfinite
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from variantgen.cli.columns import in_columns
 from variantgen.cli.exam_preview import refuse_exam
@@ -25,6 +25,7 @@ from variantgen.errors import InputError, Problem
 if TYPE_CHECKING:
     from variantgen.everything import ResultTable
     from variantgen.exam.sheets import Answer
+    from variantgen.variants.variant import Variant
 
 _DIGITS = 5
 _NO_COURSE = (
@@ -50,6 +51,37 @@ def run(arguments: argparse.Namespace) -> int:
 
     Raises InputError where the problem cannot be read or solved, and for options that contradict each other.
     """
+    _check_options(arguments)
+    from variantgen.mechanism.outcome import Outcome
+    from variantgen.single import solution_document
+    from variantgen.wording.words import check_language
+
+    check_language(arguments.lang)
+    variant = wanted_variant(arguments)
+    document = solution_document(variant, arguments.ask)
+    outcome = Outcome[document["outcome"].upper()]
+    tell_doubts(arguments, variant)
+    tables: list[ResultTable] = []
+    if arguments.all and outcome is Outcome.SOLVED:
+        from variantgen.everything import all_values, everything
+
+        tables = everything(variant)
+        document |= {"all": all_values(variant), "tables": [table.data for table in tables]}
+    if arguments.json:
+        try:
+            say(json.dumps(document, ensure_ascii=False, indent=2, allow_nan=False))
+        except ValueError:
+            raise InputError(Problem("the numbers grow beyond all bounds", file=arguments.family)) from None
+    if outcome is not Outcome.SOLVED:
+        raise InputError(Problem(outcome.text, file=arguments.family))
+    if not arguments.json:
+        _say_parameters(document["parameters"])
+        _say_results(arguments, variant, tables)
+    return 0
+
+
+def _check_options(arguments: argparse.Namespace) -> None:
+    """Raise InputError for options that contradict each other, and for an exam."""
     check_explaining(arguments)
     if arguments.json and arguments.explain:
         raise InputError(Problem("the document holds numbers only", key="--json", remedy="choose --json or --explain"))
@@ -57,48 +89,28 @@ def run(arguments: argparse.Namespace) -> int:
         if arguments.all and chosen:
             raise InputError(Problem("has everything in tables", key="--all", remedy=f"leave out --all or {option}"))
     refuse_exam(arguments, "solve works out one problem")
-    from variantgen.mechanism.outcome import Outcome
-    from variantgen.single import answers, solution_document
-    from variantgen.wording.words import check_language
 
-    check_language(arguments.lang)
-    variant = wanted_variant(arguments)
-    document = solution_document(variant, arguments.ask)
-    solved = Outcome[document["outcome"].upper()] is Outcome.SOLVED
-    tell_doubts(arguments, variant)
-    if arguments.all and solved:
-        from variantgen.everything import all_values, everything
 
-        document["all"] = all_values(variant)
-        tables = everything(variant)
-        document["tables"] = [table.data for table in tables]
-    if arguments.json:
-        try:
-            say(json.dumps(document, ensure_ascii=False, indent=2, allow_nan=False))
-        except ValueError:
-            raise InputError(Problem("the numbers grow beyond all bounds", file=arguments.family)) from None
-    outcome = Outcome[document["outcome"].upper()]
-    if outcome is not Outcome.SOLVED:
-        raise InputError(Problem(outcome.text, file=arguments.family))
-    if not arguments.json:
-        for name, item in document["parameters"].items():
-            say(
-                f"{name} = {item['value']:g} {item['unit']}".removesuffix(" 1")
-                if item["unit"]
-                else f"{name} = {item['value']}"
-            )
-        if document["parameters"]:
-            say()
-        if arguments.all:
-            say("\n\n".join("\n".join(_lines(table)) for table in tables))
-            return 0
-        solution = explained(arguments, variant)
-        if solution is not None:
-            say(solution)
-            return 0
+def _say_parameters(parameters: dict[str, dict[str, Any]]) -> None:
+    """A line for each parameter, words without a unit."""
+    for name, item in parameters.items():
+        value = f"{item['value']:g} {item['unit']}".removesuffix(" 1") if item["unit"] else item["value"]
+        say(f"{name} = {value}")
+    if parameters:
+        say()
+
+
+def _say_results(arguments: argparse.Namespace, variant: Variant, tables: Sequence[ResultTable]) -> None:
+    """The tables of everything, the solution, or the answers."""
+    from variantgen.single import answers
+
+    if arguments.all:
+        say("\n\n".join("\n".join(_lines(table)) for table in tables))
+    elif (solution := explained(arguments, variant)) is not None:
+        say(solution)
+    else:
         for answer in answers(variant, arguments.ask):
             say(_told(answer))
-    return 0
 
 
 def _lines(table: ResultTable) -> Iterator[str]:

@@ -59,42 +59,59 @@ def read_laws(
         table.problem("expected the name of a parameter that is a time", "time", time, 'give it the unit "s"')
         return {}
     table.expect(*_OWN)
-    # What depends on the time through other names is written out, so that it is differentiated too.
-    moving: dict[str, FamilyExpression] = {}
-    for name, expression in form.derived.items():
-        whole = expression.inlined(moving)
-        if (time or place) in whole.names:
-            moving[name] = whole
-    plain = PlainLaws(time or place, fed_measures(scene), length)
-    found: dict[str, Law] = {}
-    alone: list[str] = [place] if place else []  # names that no formula of the time stands for
     rates = RateReader(form, time, quantity, _sample(parameters, form.derived), length)
-    for name in [name for name, value in table.data.items() if is_rate_law(value)]:
-        with table.collecting(name):
-            if (read := rates.read(table, name)) is not None:
-                found[name] = read.law
-                if read.plain is not None:
-                    plain.know(name, read.plain)
-                _define(form, name, read, time)
-                if read.place is None or isinstance(read.place, SolvedLaw):
-                    alone.append(name)
-                else:
-                    moving[name] = read.place
-    others = {name: rate for name, rate in rates_of(alone).items() if name.name != time}
-    for name, (written, named) in _in_order(dict(_stated(form, table))):
-        with table.collecting(name):
-            form.known_names(written)
-            stated = plain.measured(name, written, named, form.dimensions)
-            law = (stated.law if stated else written).inlined(moving)
-            if time in law.names:
-                moving[name] = law
-            dimension = form.define(name, law, stated.dimension if stated else None)
-            found[name] = Law(stated.unit if stated else "", dimension == (1, 0))
-            for i, suffix in enumerate(("_dot", "_ddot"), start=1):
-                law = law.derivative(time, others)
-                form.define(name + suffix, law, (dimension[0], dimension[1] - i))
+    reading = _Reading(form, table, time, place, PlainLaws(time or place, fed_measures(scene), length))
+    reading.read_rates(rates)
+    reading.read_formulas()
     table.finish()
-    return found
+    return reading.found
+
+
+class _Reading:
+    """The laws of a form one after the other: first those given by rates, then formulas, which may use those."""
+
+    def __init__(self, form: Definitions, table: Table, time: str, place: str, plain: PlainLaws) -> None:
+        self.found: dict[str, Law] = {}
+        self._form, self._table, self._time, self._plain = form, table, time, plain
+        self._alone: list[str] = [place] if place else []  # names that no formula of the time stands for
+        # What depends on the time through other names is written out, so that it is differentiated too.
+        self._moving: dict[str, FamilyExpression] = {}
+        for name, expression in form.derived.items():
+            whole = expression.inlined(self._moving)
+            if (time or place) in whole.names:
+                self._moving[name] = whole
+
+    def read_rates(self, rates: RateReader) -> None:
+        """The laws that are given by a velocity or an acceleration."""
+        for name in [name for name, value in self._table.data.items() if is_rate_law(value)]:
+            with self._table.collecting(name):
+                if (read := rates.read(self._table, name)) is None:
+                    continue
+                self.found[name] = read.law
+                if read.plain is not None:
+                    self._plain.know(name, read.plain)
+                _define(self._form, name, read, self._time)
+                if read.place is None or isinstance(read.place, SolvedLaw):
+                    self._alone.append(name)
+                else:
+                    self._moving[name] = read.place
+
+    def read_formulas(self) -> None:
+        """The laws that are formulas of the time, and their derivatives."""
+        form, time = self._form, self._time
+        others = {name: rate for name, rate in rates_of(self._alone).items() if name.name != time}
+        for name, (written, named) in _in_order(dict(_stated(form, self._table))):
+            with self._table.collecting(name):
+                form.known_names(written)
+                stated = self._plain.measured(name, written, named, form.dimensions)
+                law = (stated.law if stated else written).inlined(self._moving)
+                if time in law.names:
+                    self._moving[name] = law
+                dimension = form.define(name, law, stated.dimension if stated else None)
+                self.found[name] = Law(stated.unit if stated else "", dimension == (1, 0))
+                for i, suffix in enumerate(("_dot", "_ddot"), start=1):
+                    law = law.derivative(time, others)
+                    form.define(name + suffix, law, (dimension[0], dimension[1] - i))
 
 
 def _sample(parameters: Mapping[str, Parameter], derived: Mapping[str, FamilyExpression]) -> dict[str, float]:

@@ -1,5 +1,7 @@
 """Gear mesh: two pitch circles that touch, in dashes and dots; what is toothed lies on the side of its body.
 
+A rack has a pitch line (see :mod:`variantgen.figure.symbols.rolling`).
+
 The contours of moving gears are discs of their bodies; a fixed gear is drawn here, with hatching.
 """
 
@@ -11,6 +13,7 @@ import math
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import MEDIUM, THIN, Arc, Layer
 from variantgen.mechanism.joints.gears import Gears
+from variantgen.mechanism.joints.rolling import Rolling
 
 _TOOTH, _OF_RADIUS = 1.2, 0.1  # from the pitch circle to the contour of a gear: at most (u), part of the radius
 
@@ -27,7 +30,21 @@ def contour(board: Board, centre: str, radius: float) -> float:
                 return _contour(radius, False)
             if centre == joint.other_centre and math.isclose(radius, other, rel_tol=1e-6):
                 return _contour(radius, joint.inside)
+        if isinstance(joint, Rolling) and board.is_rack(joint.on) and centre == joint.centre:
+            own = abs(board.sketch.at[joint.contact] - board.sketch.at[centre])
+            if math.isclose(radius, own, rel_tol=1e-6):
+                return _contour(radius, False)
     return radius
+
+
+def is_moving(board: Board, centre: str, radius: float) -> bool:
+    """Whether a disc without a body of its own is a gear that is fixed to a moving link."""
+    for joint in board.scene.joints:
+        if isinstance(joint, Gears) and joint.other and centre == joint.other_centre:
+            return math.isclose(radius, _pitch_radii(board, joint)[1], rel_tol=1e-6)
+        if isinstance(joint, Rolling) and board.is_rack(joint.on) and centre == joint.centre:
+            return True
+    return False
 
 
 def draw(board: Board, joint: Gears) -> None:
@@ -39,7 +56,7 @@ def draw(board: Board, joint: Gears) -> None:
         sketch.occupy(point, way)
     own, radius = _pitch_radii(board, joint)
     for place, pitch in ((centre, own), (other, radius)):
-        _pitch_circle(board, place, pitch)
+        pitch_circle(board, place, pitch)
     if joint.other is not None:
         return
     body = _contour(radius, joint.inside)
@@ -51,12 +68,16 @@ def draw(board: Board, joint: Gears) -> None:
             sketch.hatch_arc(other, body, middle - math.radians(24), math.radians(48), outside=False)
 
 
+def tooth(pitch: float) -> float:
+    """From the pitch circle of a radius, or the pitch line of its rack, to the contour (u)."""
+    return min(_TOOTH, _OF_RADIUS * pitch)
+
+
 def _contour(pitch: float, ring: bool) -> float:
-    tooth = min(_TOOTH, _OF_RADIUS * pitch)
-    return pitch + tooth if ring else pitch - tooth
+    return pitch + tooth(pitch) if ring else pitch - tooth(pitch)
 
 
-def _pitch_circle(board: Board, centre: complex, radius: float) -> None:
+def pitch_circle(board: Board, centre: complex, radius: float) -> None:
     """Add a pitch circle, once for a gear in two meshes."""
     circle = Arc(centre, radius, Layer.DISC, THIN, dash="dashdot")
     drawn = [line for line in board.sketch.lines if isinstance(line, Arc) and line.dash == circle.dash]

@@ -9,6 +9,7 @@ from variantgen.figure.board import Board
 from variantgen.figure.drawing import Layer
 from variantgen.figure.sketch import HINGE
 from variantgen.mechanism.joints.guide import Guide
+from variantgen.mechanism.joints.rolling import Rolling
 from variantgen.mechanism.joints.rope import Rope
 from variantgen.mechanism.rows import Placement
 
@@ -102,9 +103,16 @@ def _roomier_side(board: Board, point: str, way: complex) -> complex:
 
 
 def ground_side(board: Board, joint: Guide) -> complex:
-    """The side of the line of motion where the ground is: with fewer links, else below or to the right."""
+    """The side of the line of motion where the ground is: with fewer links, else below or to the right.
+
+    The slider of a rack has it on the side of the gear, as the rack is on the other.
+    """
     way = complex(board.frame.direction(joint.angle))
     left = 1j * way
+    for rack in board.scene.joints:
+        if isinstance(rack, Rolling) and board.is_rack(rack.on) and rack.on in board.owners(joint.point):
+            gear = board.sketch.at[rack.centre] - board.sketch.at[rack.contact]
+            return left if (left * gear.conjugate()).real > 0 else -left
     load = sum((left * link.conjugate()).real for link in board.links_at(joint.point))
     if abs(load) > 0.05:
         return left if load < 0 else -left

@@ -24,7 +24,7 @@ def draw(board: Board, joint: Slot) -> None:
     sketch.path(corners, Layer.SLIDER, closed=True, fill="paper")
     if not board.owners(joint.point):
         sketch.circle(centre, DOT, Layer.HINGE, fill="ink")
-    elif joint.sleeve is None:
+    elif joint.sleeve is None or set(board.owners(joint.point)) != {joint.sleeve}:  # something is pinned to the sleeve
         sketch.circle(centre, HINGE, Layer.HINGE, fill="paper")
     for taken in (way, -way):
         sketch.occupy(joint.point, taken)

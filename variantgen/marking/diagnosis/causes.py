@@ -26,7 +26,6 @@ _METRES = {1: (100.0, 1000.0), 2: ()}  # exponent of length: metres taken for ce
 _NEAR = 3.0  # tolerances within which a number is right but for rounding
 _TIED = 0.02  # tolerances by which results differ that no one can tell apart: the first one counts
 _SAME = 1e-9
-_OTHER_PART = {"x": "y", "y": "x"}
 
 
 @dataclass(frozen=True)

@@ -75,35 +75,13 @@ def write_review(
     Pages have the names of students in their heads, and where the head of such a page is nobody knows: ``anonymous``
     leaves their pictures out.
     """
-    language = finished.exam.spoken
-    sheets = finished.record.sheets
-    with (folder / TABLE).open("w", encoding="utf-8-sig", newline="") as file:
-        writer = csv.writer(file, delimiter=";" if language.decimal_mark == "," else ",", lineterminator="\r\n")
-        writer.writerow(_HEAD)
-        for (place, problem, name), answer in doubtful.items():
-            reading = _cell(typed.get((place, problem, name), ""))
-            own = _cell(answer.read.text.replace(".", language.decimal_mark)), ", ".join(answer.read.why)
-            writer.writerow([sheets[place].code, problem, name, reading, *own, safe_cell(answer.where)])
-    words = language.words("review")
-    rows: list[dict[str, Any]] = []
-    for (place, problem, name), answer in doubtful.items():
-        if (place, problem, name) in typed or not answer.picture:
-            continue  # what has no picture is on a page that is lost
-        variant = finished.variant(place, problem)
-        key = next(a for a in Key(finished.record).answers(place, problem) if a.quantity.name == name)
-        symbol = language.quantity(key.quantity, dict(variant.form.symbols))
-        rows.append(
-            {
-                "code": sheets[place].code,
-                "problem": problem,
-                "quantity": name,
-                "symbol": Markup(to_mathml(symbol)),  # noqa: S704
-                "read": answer.read.text.replace(".", language.decimal_mark).replace("-", "\N{MINUS SIGN}"),
-                "why": [words[f"why.{why.replace(' ', '_')}"] for why in answer.read.why],
-                "where": answer.where,
-                "picture": _data(answer.picture),
-            }
-        )
+    _write_table(folder, finished, doubtful, typed)
+    words = finished.exam.spoken.words("review")
+    rows = [
+        _row(finished, question, answer, words)
+        for question, answer in doubtful.items()
+        if question not in typed and answer.picture  # what has no picture is on a page that is lost
+    ]
     write_page(
         folder / PAGE,
         "review.html.j2",
@@ -118,6 +96,38 @@ def write_review(
             {"where": page.where, "why": page.why, "picture": "" if anonymous else _data(page.picture)} for page in lost
         ],
     )
+
+
+def _write_table(
+    folder: Path, finished: Finished, doubtful: Mapping[Question, ScannedAnswer], typed: Mapping[Question, str]
+) -> None:
+    """The table in which readings are typed."""
+    mark, sheets = finished.exam.spoken.decimal_mark, finished.record.sheets
+    with (folder / TABLE).open("w", encoding="utf-8-sig", newline="") as file:
+        writer = csv.writer(file, delimiter=";" if mark == "," else ",", lineterminator="\r\n")
+        writer.writerow(_HEAD)
+        for (place, problem, name), answer in doubtful.items():
+            reading = _cell(typed.get((place, problem, name), ""))
+            own = _cell(answer.read.text.replace(".", mark)), ", ".join(answer.read.why)
+            writer.writerow([sheets[place].code, problem, name, reading, *own, safe_cell(answer.where)])
+
+
+def _row(finished: Finished, question: Question, answer: ScannedAnswer, words: Mapping[str, str]) -> dict[str, Any]:
+    """A doubtful answer as the page shows it."""
+    place, problem, name = question
+    language, variant = finished.exam.spoken, finished.variant(place, problem)
+    key = next(a for a in Key(finished.record).answers(place, problem) if a.quantity.name == name)
+    symbol = language.quantity(key.quantity, dict(variant.form.symbols))
+    return {
+        "code": finished.record.sheets[place].code,
+        "problem": problem,
+        "quantity": name,
+        "symbol": Markup(to_mathml(symbol)),  # noqa: S704
+        "read": answer.read.text.replace(".", language.decimal_mark).replace("-", "\N{MINUS SIGN}"),
+        "why": [words[f"why.{why.replace(' ', '_')}"] for why in answer.read.why],
+        "where": answer.where,
+        "picture": _data(answer.picture),
+    }
 
 
 def _cell(text: str) -> str:

@@ -30,10 +30,11 @@ class Lines:
 
     def add(self, start: str, end: str, form: AngleForm) -> None:
         """Note that a line of this direction goes through two points."""
-        same = [line for line in self._lines if line.form.is_along(form) and line.points & {start, end}]
-        points = {start, end}.union(*(line.points for line in same))
-        self._lines = [line for line in self._lines if line not in same]
-        self._lines.append(_Line(same[0].form if same else form, points))
+        ends = {start, end}
+        same = [line for line in self._lines if not ends.isdisjoint(line.points) and line.form.is_along(form)]
+        if same:
+            self._lines = [line for line in self._lines if line not in same]
+        self._lines.append(_Line(same[0].form if same else form, ends.union(*(line.points for line in same))))
 
     def form(self, start: str, end: str) -> AngleForm | None:
         """The direction of the ray from one point to another, if both lie on a line; None if they are in one place."""
@@ -41,7 +42,7 @@ class Lines:
         if abs(step) <= self._nothing:
             return None
         for line in self._lines:
-            if {start, end} <= line.points:
+            if start in line.points and end in line.points:
                 apart = between(math.degrees(cmath.phase(step)), self._number(line.form))
                 return line.form if apart < 90.0 else line.form.turned(180.0)
         return None

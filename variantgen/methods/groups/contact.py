@@ -66,7 +66,8 @@ class NoSlipContact:
 
     ``point_path`` is the path on which the contact itself keeps the centre of the first side, if it does. ``place``
     is the key of the sentence that says where on a turning body the point is, where that is not plain. ``reason`` is
-    that of the sentence which says why velocities are equal; one is enough for all contacts of a step.
+    that of the sentence which says why velocities are equal; one is enough for all contacts of a step. ``rail`` is the
+    body of a moving line that a wheel touches.
     """
 
     kind: str
@@ -75,6 +76,7 @@ class NoSlipContact:
     point_path: PointPath | None = None
     place: str = ""
     reason: str = ""
+    rail: str = ""
 
     @property
     def ways(self) -> tuple[tuple[ContactSide, ContactSide], tuple[ContactSide, ContactSide]]:

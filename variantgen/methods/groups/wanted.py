@@ -66,19 +66,20 @@ def leads_on(task: Task, point: str, body: str) -> bool:
         return True
     if any(point in shape.points for joint in task.scene.joints for shape in joint.shapes()):
         return True
-    return any(q.point == point and q.kind in ("v", "a") and q.component for q in task.sought)
+    return any(q.kind in ("v", "a") and q.component and q.point == point for q in task.sought)
 
 
 def is_accelerated(task: Task, group: Group) -> bool:
     """Whether the accelerations of a group lead to one that is asked: of its bodies, or of the point it gives."""
     needed = task.accelerated
-    named = [getattr(group, name) for name in _field_names(type(group))]
+    kind: type = type(group)
+    named = [getattr(group, name) for name in _field_names(kind)]
     bodies = {name for item in named for name in (item if isinstance(item, tuple) else (item,))} & needed.bodies
     return bool(bodies) or bool(_given_points(group) & needed.points)
 
 
 @cache
-def _field_names(kind: type[Group]) -> tuple[str, ...]:
+def _field_names(kind: type) -> tuple[str, ...]:
     return tuple(field.name for field in fields(kind))
 
 

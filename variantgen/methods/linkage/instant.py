@@ -84,9 +84,12 @@ class Instant:
 def instant(motion: Motion, index: int) -> Instant:
     """The numbers of one variant of a batch."""
     vectors = [
-        {name: complex(values[index]) for name, values in table.items()} for table in (motion.z, motion.v, motion.a)
+        {name: complex(values.item(index)) for name, values in table.items()}
+        for table in (motion.z, motion.v, motion.a)
     ]
-    rates = [{body: float(values[index]) for body, values in table.items()} for table in (motion.omega, motion.epsilon)]
+    rates = [
+        {body: float(values.item(index)) for body, values in table.items()} for table in (motion.omega, motion.epsilon)
+    ]
     at_rest = dict.fromkeys(motion.z, 0j)  # what no equation speaks of: the centre of a fixed circle
     z, v, a = (vectors[0], *({**at_rest, **table} if table else {} for table in vectors[1:]))
     return Instant(take_scene(motion.scene, index, motion.size), z, v, a, rates[0], rates[1])

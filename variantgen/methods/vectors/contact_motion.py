@@ -65,7 +65,8 @@ def _solve_rate(book: Book, group: ContactGroup, known: ContactSide, sought: Con
             parts += [(-sign, part) for sign, part in carried]
         turning = combined(book, name, parts)
         radius = book.geometry.radius(sought.centre, sought.radius, sought.body)
-        enter_rate(book, group.body, turning.size, turning.sign * sought.lever, radius)
+        shown_by = turning.size.name if isinstance(turning.size, Value) else None
+        enter_rate(book, group.body, turning.size, turning.sign * sought.lever, radius, shown_by)
 
 
 def _solve_centre(book: Book, group: ContactGroup, known: ContactSide, sought: ContactSide) -> None:

@@ -63,6 +63,8 @@ def say_same(book: Book, group: ContactGroup, number: int, known: ContactSide, s
         facts["body"] = Body(sought.body or known.body)
     if known.body and sought.body:
         facts["other"] = Body(known.body)
+    if touch.rail:
+        facts["rail"] = Body(touch.rail)
     word = "rest" if known.is_rest else "same"
     if book.order == 2 and known.is_rest and sought.body:
         facts |= related(book, sought.body, sought.centre, "tau")
@@ -165,8 +167,10 @@ def renamed(book: Book, found: Component, side: ContactSide) -> Component:
     return Component(book.derive(name, book.measure, found.size), found.sign)
 
 
-def enter_rate(book: Book, body: str, size: Expression | None, sense: int, arm: Value) -> None:
-    """``omega = v / r`` with its sense in words; zero where nothing turns."""
+def enter_rate(
+    book: Book, body: str, size: Expression | None, sense: int, arm: Value, shown_by: Name | None = None
+) -> None:
+    """``omega = v / r`` with its sense in words, which a vector may show; zero where nothing turns."""
     kind = "omega" if book.order == 1 else "epsilon"
     if size is None or sense == 0:
         book.rates[body] = Rate(Value(Name(kind, body), book.rate_measure, 0.0), 0)
@@ -174,7 +178,11 @@ def enter_rate(book: Book, body: str, size: Expression | None, sense: int, arm: 
         return
     rate = Rate(book.derive(Name(kind, body), book.rate_measure, size / arm), sense)
     book.rates[body] = rate
-    book.say(f"rates.{kind}_{rate.word}_sum", False, body=Body(body), rate=Name(kind, body))
+    facts: dict[str, Fact] = {"body": Body(body), "rate": Name(kind, body)}
+    if shown_by is None:
+        book.say(f"rates.{kind}_{rate.word}_sum", False, **facts)
+    else:
+        book.say(f"rates.{kind}_{rate.word}", False, vector=VectorOf(shown_by), **facts)
 
 
 def enter_with_way(

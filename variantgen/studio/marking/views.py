@@ -23,7 +23,6 @@ from variantgen.studio.messages import in_language
 from variantgen.wording.language import Language, load_language
 from variantgen.wording.mathml import to_mathml
 
-VERDICTS = ("right", "follow_through", "wrong", "blank", "unreadable")
 _LISTED = 300
 _BANDS = 10
 _PLACE = re.compile(r", (?:worksheet .{1,31}, )?(?:row|page) \d+")

@@ -21,5 +21,7 @@ def _clause(alt_text: AltText, joint: Rolling) -> str:
     line = alt_text.inclined(1j * down)
     if joint.on is None:
         return alt_text.say("rolling", line=line, **words)
+    if alt_text.board.is_rack(joint.on):
+        return alt_text.say("rolling_toothed", line=line, **words)
     number = alt_text.body(joint.on)  # empty where the text has one rack alone
     return alt_text.say("rolling_rack", line=line, rack=number and f" {number}", **words)

@@ -23,7 +23,7 @@ def contact(task: Task, number: int) -> NoSlipContact | None:
     wheel = ContactSide(name, joint.centre, line, joint.body, abs(arm), 1, radial)
     rail = ContactSide(name, _point_of(task, joint), line, radial=radial)
     point_path = PointPath(joint.centre, line=line) if _is_along(task, joint.centre, line) else None
-    return NoSlipContact("rack", wheel, rail, point_path, reason="rack.no_slip")
+    return NoSlipContact("rack", wheel, rail, point_path, reason="rack.no_slip", rail=joint.on or "")
 
 
 def _point_of(task: Task, joint: Rolling) -> str:
