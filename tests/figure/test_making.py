@@ -8,9 +8,9 @@ import pytest
 from variantgen.errors import InputError, Problem
 from variantgen.exam.solution_figures import STATEMENT, SolutionFigures, draw_together, view_order
 from variantgen.figure.build import draw_statement
-from variantgen.figure.draft import Draft, Making, all_made, made, tried
 from variantgen.figure.drawing import Drawing, Layer
 from variantgen.figure.faults import count_label_faults, misread_labels
+from variantgen.figure.making import Making, Unlettered, all_made, made, tried
 from variantgen.figure.placement.label_requests import around
 from variantgen.figure.placement.occupancy import Occupancy
 from variantgen.figure.sketch import Sketch
@@ -54,7 +54,7 @@ def bare(corner: complex) -> Making:
     """A line from the origin without any label."""
     sketch = Sketch({}, 1.0)
     sketch.path((0j, corner), Layer.LINK)
-    return (yield Draft(sketch, {}))
+    return (yield Unlettered(sketch, {}))
 
 
 def broken(after: int) -> Making:
@@ -62,7 +62,7 @@ def broken(after: int) -> Making:
     for _ in range(after):
         sketch = Sketch({"A": 0j}, 1.0)
         sketch.label(around(Symbol("A"), 0j, 1.0))
-        yield Draft(sketch, {})
+        yield Unlettered(sketch, {})
     raise InputError(Problem("cannot be drawn", key="view", value=str(after)))
 
 
