@@ -32,8 +32,8 @@ from variantgen.exam.roster import numbered
 from variantgen.exam.sheets import Sheet, solve_all
 from variantgen.families.reading.folders import family_names
 from variantgen.figure.build import draw_statement
-from variantgen.figure.draft import all_made
 from variantgen.figure.drawing import Drawing
+from variantgen.figure.making import all_made
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import task_of
 from variantgen.outputs.documents.key_data import key_by_problem, key_by_student

@@ -18,8 +18,8 @@ from variantgen.exam.exam_file import Exam
 from variantgen.exam.sheets import Item, Sheet, solve_all
 from variantgen.families.quantities import Quantity
 from variantgen.figure.build import draw_statement
-from variantgen.figure.draft import all_made
 from variantgen.figure.drawing import Drawing
+from variantgen.figure.making import all_made
 from variantgen.mechanism.motion import Motion
 from variantgen.variants.attempts import VerificationError
 from variantgen.variants.variant import Variant
@@ -67,9 +67,9 @@ class Content:
         language = self.exam.spoken
         items = [item for sheet in self.sheets for item in sheet.items]
         placed = solve_all([item.variant for item in items], [item.asked for item in items], positions_only=True)
-        told = [statement(item.variant, item.asked, language) for item in items]
+        statements = [statement(item.variant, item.asked, language) for item in items]
         figures = [draw_statement(i.variant, *at, i.asked, language) for i, at in zip(items, placed, strict=True)]
-        posed = iter(map(PosedProblem, items, told, all_made(figures)))
+        posed = iter(map(PosedProblem, items, statements, all_made(figures)))
         return tuple(tuple(next(posed) for _ in sheet.items) for sheet in self.sheets)
 
     @cached_property

@@ -9,12 +9,12 @@ from msgspec import Struct
 from variantgen.exam.solution_paper import COLUMN, WIDTH
 from variantgen.families.quantities import Quantity, split_name
 from variantgen.figure.build import statement_figure
-from variantgen.figure.draft import Making, tried
 from variantgen.figure.drawing import LETTER, Drawing
 from variantgen.figure.equations.body_board import FigureSubject
 from variantgen.figure.faults import figure_faults, vector_faults
 from variantgen.figure.graph import solved_grid
 from variantgen.figure.letter_run import INDEX
+from variantgen.figure.making import Making, tried
 from variantgen.figure.motion.motion_data import MovingMechanism
 from variantgen.figure.views import view
 from variantgen.mechanism.motion import Motion

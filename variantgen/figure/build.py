@@ -16,11 +16,11 @@ from variantgen.families.hints import DIRECTIONS
 from variantgen.families.quantities import Quantity, split_name
 from variantgen.figure.axes import draw_axes, has_axes
 from variantgen.figure.board import Board
-from variantgen.figure.draft import Making, made
 from variantgen.figure.drawing import BOLD, MEDIUM, Drawing, Layer
 from variantgen.figure.graph import with_graphs
 from variantgen.figure.guide_angles import draw_guide_angle
 from variantgen.figure.links import draw_links, draw_walls
+from variantgen.figure.making import Making, made
 from variantgen.figure.marks import draw_angle, draw_disc_name, draw_length, draw_radius, draw_right_angle
 from variantgen.figure.points import draw_points
 from variantgen.figure.sketch import Sketch

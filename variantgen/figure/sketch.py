@@ -16,7 +16,7 @@ from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Drawing, Label, Layer, 
 from variantgen.figure.ink import Sides
 from variantgen.figure.obstacles import Obstacles, Outline
 from variantgen.figure.placement.label_requests import LabelRequest
-from variantgen.figure.placement.labels import NOTHING_PLACED, Placed, WantedLabels, place_labels
+from variantgen.figure.placement.labels import NOTHING_PLACED, PlacedLabels, WantedLabels, place_labels
 from variantgen.wording.formula import Symbol
 
 MARGIN = 1.5
@@ -207,7 +207,7 @@ class Sketch(Struct):
         (drawing,) = finish_all([(self, named)])
         return drawing
 
-    def lettered(self, placed: Placed) -> Drawing:
+    def lettered(self, placed: PlacedLabels) -> Drawing:
         """The drawing with its labels where they are placed: the paper cut to size, everything in order."""
         labels, leaders, doubtful = placed
         corners = [*self._outline(), *(point for leader in leaders for point in leader.points)]

@@ -11,10 +11,10 @@ from msgspec.structs import asdict
 from numpy.typing import NDArray
 
 from variantgen.families.family import Form
-from variantgen.figure.draft import Draft, Making
 from variantgen.figure.drawing import BOLD, THIN, Layer, Line
 from variantgen.figure.equations.surroundings import Surroundings, largest, size_of
 from variantgen.figure.ink import segments_of, spaced
+from variantgen.figure.making import Making, Unlettered
 from variantgen.figure.motion.contact_letters import draw_dot
 from variantgen.figure.motion.motion_board import LEAST, MotionBoard, head_of
 from variantgen.figure.motion.motion_data import MovingMechanism
@@ -180,7 +180,7 @@ class BodyBoard:
         return own if len(own) > 1 else [name for name in form.bodies[body] if name in (*own, *form.figure.hidden)]
 
 
-def with_room(tries: Callable[[complex], Iterable[Draft]]) -> Making:
+def with_room(tries: Callable[[complex], Iterable[Unlettered]]) -> Making:
     """The first roomy one of what is tried in some room (width and height but for labels, u).
 
     There is less while the labels make the figure too large.

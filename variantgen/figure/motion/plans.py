@@ -12,8 +12,8 @@ from msgspec.structs import replace
 
 from variantgen.families.parameters.units import Unit
 from variantgen.families.parameters.units import unit as unit_of
-from variantgen.figure.draft import Draft, made
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing, Layer
+from variantgen.figure.making import Unlettered, made
 from variantgen.figure.placement.label_requests import LabelRequest, Places, along_line, around, label_size
 from variantgen.figure.placement.least_crowded import first_clean
 from variantgen.figure.sketch import DOT, Sketch
@@ -82,7 +82,7 @@ def draw_plan(plan: VectorPlan, scale: PlanScale, language: Language) -> Drawing
     return made(first_clean(_drawn(plan, scale, language, beyond) for beyond in _BEYOND))
 
 
-def _drawn(plan: VectorPlan, printed: PlanScale, language: Language, beyond: float) -> Draft:
+def _drawn(plan: VectorPlan, printed: PlanScale, language: Language, beyond: float) -> Unlettered:
     """The plan, with construction lines that run on so far beyond the ends."""
     scale = printed.figure_units
     sketch = Sketch({"pole": 0j}, scale)
@@ -103,7 +103,7 @@ def _drawn(plan: VectorPlan, printed: PlanScale, language: Language, beyond: flo
         names: Formula = symbols[0] if len(symbols) == 1 else FormulaList(tuple(symbols))
         sketch.label(around(names, place, 0.7))
     _draw_scale(sketch, printed, language)
-    return Draft(sketch, {str(i): place for i, (place, _) in enumerate(ends)})
+    return Unlettered(sketch, {str(i): place for i, (place, _) in enumerate(ends)})
 
 
 def _gathered(named: Sequence[tuple[Symbol, complex]]) -> list[tuple[complex, list[Symbol]]]:

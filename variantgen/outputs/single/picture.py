@@ -11,8 +11,8 @@ from msgspec import Struct
 from variantgen.errors import InputError, Problem
 from variantgen.exam.solution_figures import SolutionFigures, view_order
 from variantgen.families.asking import read_ask
-from variantgen.figure.draft import all_made
 from variantgen.figure.drawing import Drawing
+from variantgen.figure.making import all_made
 from variantgen.figure.views import is_of_parts
 from variantgen.figure.views import view as find_view
 from variantgen.methods.solution_options import SolutionOptions
