@@ -16,9 +16,10 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
+
+from msgspec.structs import replace
 
 from benchmarks import exams, processes
 from benchmarks.exams import FIVE_FAMILIES
@@ -31,8 +32,8 @@ from variantgen.exam.roster import numbered
 from variantgen.exam.sheets import Sheet, solve_all
 from variantgen.families.reading.folders import family_names
 from variantgen.figure.build import draw_statement
-from variantgen.figure.draft import all_made
 from variantgen.figure.drawing import Drawing
+from variantgen.figure.making import all_made
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import task_of
 from variantgen.outputs.documents.key_data import key_by_problem, key_by_student

@@ -48,7 +48,7 @@ HOOKS = (
     Hook("confirming", "variantgen.methods.hand.confirmation:confirm_answers", whole=True),
     Hook("confirming", "variantgen.methods.agreement:confirm", whole=True, apart=True),
     Hook("statement text", "variantgen.wording.statement:statement", whole=True),
-    Hook("figures: geometry", "variantgen.figure.draft:all_made"),
+    Hook("figures: geometry", "variantgen.figure.making:all_made"),
     Hook("figures: labels", "variantgen.figure.placement.labels:place_labels", whole=True),
     Hook("figures: text in words", "variantgen.figure.alt_text.description:describe", whole=True),
     Hook("solutions: methods", "variantgen.methods.linkage.problem:task_of", whole=True),

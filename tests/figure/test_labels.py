@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from variantgen.figure.drawing import Arc, Layer
 from variantgen.figure.ink import boxes_crossed, gaps_to_box
 from variantgen.figure.placement.label_requests import LabelRequest, along_arrow, along_line, around
-from variantgen.figure.placement.labels import Placed, WantedLabels, place_labels
+from variantgen.figure.placement.labels import PlacedLabels, WantedLabels, place_labels
 from variantgen.figure.placement.occupancy import CELL, Occupancy
 from variantgen.figure.sketch import Sketch
 from variantgen.wording.formula import Index, Symbol
@@ -20,7 +20,9 @@ from variantgen.wording.formula import Index, Symbol
 A, B = Symbol("A"), Symbol("B")
 
 
-def placed(requests: Sequence[LabelRequest], segments: NDArray[np.complex128], strangers: Sequence[complex]) -> Placed:
+def placed(
+    requests: Sequence[LabelRequest], segments: NDArray[np.complex128], strangers: Sequence[complex]
+) -> PlacedLabels:
     """The labels of one figure."""
     (found,) = place_labels([WantedLabels(requests, segments, strangers)])
     return found

@@ -6,18 +6,20 @@ Statements, figures and solutions are made when an output first asks for them, o
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import repeat
 from typing import TYPE_CHECKING, NamedTuple
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.errors import InputError
 from variantgen.exam.exam_file import Exam
 from variantgen.exam.sheets import Item, Sheet, solve_all
 from variantgen.families.quantities import Quantity
 from variantgen.figure.build import draw_statement
-from variantgen.figure.draft import all_made
 from variantgen.figure.drawing import Drawing
+from variantgen.figure.making import all_made
 from variantgen.mechanism.motion import Motion
 from variantgen.variants.attempts import VerificationError
 from variantgen.variants.variant import Variant
@@ -30,8 +32,7 @@ if TYPE_CHECKING:
     from variantgen.wording.solution.document import SolutionText
 
 
-@dataclass(frozen=True)
-class PosedProblem:
+class PosedProblem(Struct, frozen=True):
     """A problem as it stands on a sheet: what it says, in the language of the sheets, and its figure."""
 
     item: Item
@@ -39,8 +40,7 @@ class PosedProblem:
     figure: Drawing
 
 
-@dataclass(frozen=True)
-class SolvedProblem:
+class SolvedProblem(Struct, frozen=True):
     """A problem with its worked solution, in the language of the solutions.
 
     ``rows`` are the figures, first that of the statement; ``numbers`` are those of their kinds. ``explained`` is false
@@ -67,9 +67,9 @@ class Content:
         language = self.exam.spoken
         items = [item for sheet in self.sheets for item in sheet.items]
         placed = solve_all([item.variant for item in items], [item.asked for item in items], positions_only=True)
-        told = [statement(item.variant, item.asked, language) for item in items]
+        statements = [statement(item.variant, item.asked, language) for item in items]
         figures = [draw_statement(i.variant, *at, i.asked, language) for i, at in zip(items, placed, strict=True)]
-        posed = iter(map(PosedProblem, items, told, all_made(figures)))
+        posed = iter(map(PosedProblem, items, statements, all_made(figures)))
         return tuple(tuple(next(posed) for _ in sheet.items) for sheet in self.sheets)
 
     @cached_property

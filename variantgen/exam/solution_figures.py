@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from variantgen.exam.solution_paper import COLUMN, WIDTH
 from variantgen.families.quantities import Quantity, split_name
 from variantgen.figure.build import statement_figure
-from variantgen.figure.draft import Making, tried
 from variantgen.figure.drawing import LETTER, Drawing
 from variantgen.figure.equations.body_board import FigureSubject
 from variantgen.figure.faults import figure_faults, vector_faults
 from variantgen.figure.graph import solved_grid
 from variantgen.figure.letter_run import INDEX
+from variantgen.figure.making import Making, tried
 from variantgen.figure.motion.motion_data import MovingMechanism
 from variantgen.figure.views import view
 from variantgen.mechanism.motion import Motion
@@ -41,8 +42,7 @@ _POINTS = 72 / 25.4  # in a millimetre
 _BETWEEN = 4.0  # mm: figures in a row
 
 
-@dataclass(frozen=True)
-class SolutionFigure:
+class SolutionFigure(Struct, frozen=True):
     """A figure of a solution: its kind, the drawing, its caption and, for paper, millimetres per figure unit."""
 
     name: str

@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from copy import copy
-from dataclasses import dataclass, field
 from typing import Self
+
+from msgspec import Struct, field
 
 from variantgen.families.family import TOOTHED_RACK, Form
 from variantgen.families.literal_data import rate_name
-from variantgen.figure.draft import Draft
+from variantgen.figure.making import Unlettered
 from variantgen.figure.sketch import Sketch
 from variantgen.mechanism.component import DIMENSIONS, field_specs
 from variantgen.mechanism.linkage import Linkage
@@ -20,8 +21,7 @@ from variantgen.wording.formula import Symbol
 from variantgen.wording.language import Language
 
 
-@dataclass
-class Board:
+class Board(Struct):
     """The drawing board of one figure.
 
     ``linkage`` has the numbers of one variant (scalars), ``shown`` are its named points, ``given`` the parameters that
@@ -130,9 +130,9 @@ class Board:
         other.sketch, other.clear = self.sketch.copied(), dict(self.clear)
         return other
 
-    def draft(self, widest: float = math.inf) -> Draft:
+    def draft(self, widest: float = math.inf) -> Unlettered:
         """What is drawn, its labels not yet placed; its drawing is not to be so wide (u)."""
-        return Draft(self.sketch, {name: self.sketch.at[name] for name in self.shown}, widest)
+        return Unlettered(self.sketch, {name: self.sketch.at[name] for name in self.shown}, widest)
 
     def symbol(self, name: str) -> Symbol:
         """The symbol of a point, parameter or quantity."""

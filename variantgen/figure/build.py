@@ -5,20 +5,22 @@ from __future__ import annotations
 import importlib
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
 from functools import cache, cached_property, partial
 from types import MappingProxyType, ModuleType
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.hints import DIRECTIONS
 from variantgen.families.quantities import Quantity, split_name
 from variantgen.figure.axes import draw_axes, has_axes
 from variantgen.figure.board import Board
-from variantgen.figure.draft import Making, made
 from variantgen.figure.drawing import BOLD, MEDIUM, Drawing, Layer
 from variantgen.figure.graph import with_graphs
 from variantgen.figure.guide_angles import draw_guide_angle
 from variantgen.figure.links import draw_links, draw_walls
+from variantgen.figure.making import Making, made
 from variantgen.figure.marks import draw_angle, draw_disc_name, draw_length, draw_radius, draw_right_angle
 from variantgen.figure.points import draw_points
 from variantgen.figure.sketch import Sketch
@@ -78,8 +80,7 @@ def finished(board: Board) -> Drawing:
     return board.sketch.finish(board.draft().named)
 
 
-@dataclass(frozen=True)
-class Mechanism:
+class Mechanism(Struct, frozen=True, dict=True):
     """A variant of a solved batch, what is asked of it and in which language: what all its figures have in common."""
 
     variant: Variant

@@ -5,17 +5,18 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
 import numpy as np
+from msgspec import Struct, field
+from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Drawing, Label, Layer, Line, Path, RotationArc, Strokes
 from variantgen.figure.ink import Sides
 from variantgen.figure.obstacles import Obstacles, Outline
 from variantgen.figure.placement.label_requests import LabelRequest
-from variantgen.figure.placement.labels import NOTHING_PLACED, Placed, WantedLabels, place_labels
+from variantgen.figure.placement.labels import NOTHING_PLACED, PlacedLabels, WantedLabels, place_labels
 from variantgen.wording.formula import Symbol
 
 MARGIN = 1.5
@@ -44,8 +45,7 @@ class RoundWall(NamedTuple):
     outside: bool
 
 
-@dataclass
-class Sketch:
+class Sketch(Struct):
     """The drawing board. ``at`` holds positions of points in u; ``scale`` is u per metre.
 
     ``beyond`` collects the letters of points that lie outside the paper, though lines lead to them; ``lengthened``
@@ -207,7 +207,7 @@ class Sketch:
         (drawing,) = finish_all([(self, named)])
         return drawing
 
-    def lettered(self, placed: Placed) -> Drawing:
+    def lettered(self, placed: PlacedLabels) -> Drawing:
         """The drawing with its labels where they are placed: the paper cut to size, everything in order."""
         labels, leaders, doubtful = placed
         corners = [*self._outline(), *(point for leader in leaders for point in leader.points)]

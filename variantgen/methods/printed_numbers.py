@@ -10,8 +10,11 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from functools import cached_property
 from itertools import pairwise, product
+
+from msgspec import Struct, field
+from msgspec.structs import replace
 
 from variantgen.algebra.expression import Applied, Expression, Raised, Ratio, Times, Total, Value
 from variantgen.algebra.name import AXES, ON_LINE, OWN_AXES, Name
@@ -41,8 +44,7 @@ _SMALL = 1e-6  # of a natural scale: numbers below it are not compared with each
 Off = tuple[str | Name | None, float]  # what it is, or its name, and by how much it is off
 
 
-@dataclass
-class PrintedNumbers:
+class PrintedNumbers(Struct, dict=True):
     """The numbers of a solution; ``measured``: vectors were read from drawings, with their directions."""
 
     task: Task
@@ -50,8 +52,10 @@ class PrintedNumbers:
     _checked: set[Value] = field(default_factory=set)
     _pointed: set[tuple[Name, Value | None, Value, str]] = field(default_factory=set)  # vectors that were checked
 
-    def __post_init__(self) -> None:
-        self.solved = SolvedMotion(self.task)
+    @cached_property
+    def solved(self) -> SolvedMotion:
+        """What the solver found, in printed units."""
+        return SolvedMotion(self.task)
 
     def step(self, step: Step) -> Iterator[Off]:
         """By how much each number and each equation of a step is off."""
@@ -63,8 +67,7 @@ class PrintedNumbers:
                 yield value.name, self._value(value)
             yield from self._equation(item)
             for term in _terms(item):
-                key = term.name, term.size, term.angle, term.way.key if term.size is None else ""
-                if key not in self._pointed:
+                if (key := (term.name, term.size, term.angle, term.way.key)) not in self._pointed:
                     self._pointed.add(key)
                     yield term.name, self._term(term)
                 if term.size is None and term.way.key != _ANYWHERE:
@@ -214,8 +217,7 @@ class PrintedNumbers:
 
     def _projections(self, side: float, share: Share) -> list[complex]:
         """What stands in a projected equation, with the sign of its side."""
-        factor = share.factor
-        cosine = 1.0 if factor is None else factor.number(True)
+        cosine = 1.0 if (factor := share.factor) is None else factor.number(True)
         sizes = [(vector / _vector(1.0, share.term)).real for vector in self._meant(share.term)]
         return [complex(side * share.sign * size * cosine) for size in sizes]
 

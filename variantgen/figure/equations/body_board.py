@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, fields
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import asdict
 from numpy.typing import NDArray
 
 from variantgen.families.family import Form
-from variantgen.figure.draft import Draft, Making
 from variantgen.figure.drawing import BOLD, THIN, Layer, Line
 from variantgen.figure.equations.surroundings import Surroundings, largest, size_of
 from variantgen.figure.ink import segments_of, spaced
+from variantgen.figure.making import Making, Unlettered
 from variantgen.figure.motion.contact_letters import draw_dot
 from variantgen.figure.motion.motion_board import LEAST, MotionBoard, head_of
 from variantgen.figure.motion.motion_data import MovingMechanism
@@ -41,8 +42,7 @@ _AROUND = np.exp(1j * np.radians(np.arange(0, 360, 15)))
 _SAMPLES = np.linspace(0.0, 1.0, 12)
 
 
-@dataclass(frozen=True)
-class FigureSubject:
+class FigureSubject(Struct, frozen=True):
     """A mechanism for figures that mark a ``geometry``.
 
     ``poses`` are the directions (rad) in which the supports stand in the figure of the statement. With ``true_scale``
@@ -67,7 +67,7 @@ class FigureSubject:
     def board(self, scale: float) -> MotionBoard:
         """The mechanism without the data of the statement."""
         plain = self.mechanism.board(False, scale=scale, poses=self.poses)
-        return MotionBoard(**{spec.name: getattr(plain, spec.name) for spec in fields(plain)})
+        return MotionBoard(**asdict(plain))
 
 
 class BodyBoard:
@@ -180,7 +180,7 @@ class BodyBoard:
         return own if len(own) > 1 else [name for name in form.bodies[body] if name in (*own, *form.figure.hidden)]
 
 
-def with_room(tries: Callable[[complex], Iterable[Draft]]) -> Making:
+def with_room(tries: Callable[[complex], Iterable[Unlettered]]) -> Making:
     """The first roomy one of what is tried in some room (width and height but for labels, u).
 
     There is less while the labels make the figure too large.

@@ -14,7 +14,6 @@ from functools import partial
 
 from variantgen.algebra.name import Name
 from variantgen.errors import InputError, Problem
-from variantgen.figure.draft import Draft, Making
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Arc, Layer
 from variantgen.figure.equations.body_board import (
     BodyBoard,
@@ -26,6 +25,7 @@ from variantgen.figure.equations.body_board import (
 )
 from variantgen.figure.equations.marked_geometry import MOST_ANGLES, draw_geometry
 from variantgen.figure.equations.surroundings import STUB
+from variantgen.figure.making import Making, Unlettered
 from variantgen.figure.motion.centre_rays import draw_centre, plane_bodies
 from variantgen.figure.motion.contact_letters import ContactPoint, draw_dot, touching_points
 from variantgen.figure.motion.motion_board import HEAD, MotionBoard
@@ -77,7 +77,7 @@ def draw_body_figure(
     return with_room(lambda room: _tries(partial(make, room), kind))
 
 
-def _tries(make: Callable[[float], BodyFigure], kind: str) -> Iterator[Draft]:
+def _tries(make: Callable[[float], BodyFigure], kind: str) -> Iterator[Unlettered]:
     """The figure with vectors of several sizes; marks of angles go where there is room for them."""
     for stretch in _SIZES:
         figure = make(stretch)
@@ -198,7 +198,7 @@ class BodyFigure:
         """With the vectors (and points of contact) alone."""
         return self._board(bodies, *bodies.fitted(self._tips, self._longest))
 
-    def completed(self, board: MotionBoard, kind: str, most: int) -> tuple[Draft, int]:
+    def completed(self, board: MotionBoard, kind: str, most: int) -> tuple[Unlettered, int]:
         """The figure with at most so many angles, and how many it has; the sense of the rate goes where room is left.
 
         A body that does not turn, and so has no centre, has nothing marked in its figure with the centre.

@@ -10,9 +10,9 @@ from itertools import pairwise
 import numpy as np
 
 from variantgen.errors import InputError, Problem
-from variantgen.figure.draft import Making
 from variantgen.figure.drawing import MEDIUM, Layer
 from variantgen.figure.equations.body_board import HIGH, WIDE, BodyBoard, FigureSubject
+from variantgen.figure.making import Making
 from variantgen.figure.motion.motion_board import MotionBoard
 from variantgen.figure.placement.label_requests import LabelRequest, along_line, around, label_size
 from variantgen.methods.steps.step_geometry import ChainGraph

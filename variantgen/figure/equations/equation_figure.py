@@ -6,7 +6,6 @@ import math
 from collections.abc import Iterator, Sequence
 
 from variantgen.errors import InputError, Problem
-from variantgen.figure.draft import Draft, Making
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Layer
 from variantgen.figure.equations.body_board import (
     BodyBoard,
@@ -19,6 +18,7 @@ from variantgen.figure.equations.body_board import (
 )
 from variantgen.figure.equations.marked_geometry import MOST_ANGLES, draw_geometry
 from variantgen.figure.equations.surroundings import largest
+from variantgen.figure.making import Making, Unlettered
 from variantgen.figure.motion.motion_board import MotionBoard, named_together
 from variantgen.figure.motion.vectors import Vectors, vectors_of
 from variantgen.methods.steps.point_vectors import Arrow, PointEquation, PointVectors
@@ -46,7 +46,7 @@ def equation_figure(subject: FigureSubject, named: Vectors, equation: PointEquat
     ends = [end for rod in equation.rods for end in rod]
     points = dict.fromkeys((equation.point, *others, *ends))
 
-    def tries(room: complex) -> Iterator[Draft]:
+    def tries(room: complex) -> Iterator[Unlettered]:
         bodies = BodyBoard(subject, equation.bodies, points, rods=equation.rods, room=room)
         return _tries(bodies, named, equation, shown)
 
@@ -76,7 +76,7 @@ def _arrows(equation: PointEquation) -> list[Arrow]:
     return list(found.values())
 
 
-def _tries(bodies: BodyBoard, named: Vectors, equation: PointEquation, arrows: Sequence[Arrow]) -> Iterator[Draft]:
+def _tries(bodies: BodyBoard, named: Vectors, equation: PointEquation, arrows: Sequence[Arrow]) -> Iterator[Unlettered]:
     """The figure with vectors and bodies of several sizes; marks of angles go where there is room for them."""
     axes = [(axis.way, axis.letter) for axis in equation.axes if axis.letter]
     for number, (stretch, size) in enumerate(_SIZES):

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from functools import partial
 
 from variantgen.errors import InputError, Problem
-from variantgen.figure.draft import Making
 from variantgen.figure.drawing import THIN, Layer
 from variantgen.figure.equations.body_board import FigureSubject
+from variantgen.figure.making import Making
 from variantgen.figure.motion.contact_letters import draw_dot
 from variantgen.figure.motion.motion_board import MotionBoard, draw_on_mechanism
 from variantgen.mechanism.rows import Placement

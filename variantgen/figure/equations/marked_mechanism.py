@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import partial
 
-from variantgen.figure.draft import Making
 from variantgen.figure.drawing import MEDIUM, Layer
 from variantgen.figure.equations.body_board import FigureSubject
 from variantgen.figure.equations.marked_geometry import MOST_ANGLES, draw_geometry
+from variantgen.figure.making import Making
 from variantgen.figure.motion.motion_board import MotionBoard, draw_on_mechanism
 from variantgen.figure.motion.vectors import Vectors, vectors_of
 from variantgen.figure.placement.label_requests import around

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import fields
 from functools import partial
 
 import numpy as np
+from msgspec.structs import asdict
 
 from variantgen.figure.board import Board
 from variantgen.figure.build import Mechanism
-from variantgen.figure.draft import Draft, Making
 from variantgen.figure.drawing import BOLD, Layer
+from variantgen.figure.making import Making, Unlettered
 from variantgen.figure.motion.plans import EQUAL
 from variantgen.figure.placement.label_requests import along_arrow
 from variantgen.figure.placement.least_crowded import first_roomy
@@ -40,7 +40,7 @@ class MotionBoard(Board):
     Vectors shorter than ``least`` (u) are drawn with this length.
     """
 
-    least = LEAST
+    least: float = LEAST
 
     def centre_of_rotation(self, body: str) -> str:
         """The pivot, or the middle of a bar or plate without a fixed point."""
@@ -97,7 +97,7 @@ def draw_on_mechanism(
     """
     poses, least = mechanism.board().poses, 0.0 if true_scale else LEAST
 
-    def drawn(stretch: float, size: float) -> Draft:
+    def drawn(stretch: float, size: float) -> Unlettered:
         """The figure with vectors of one size on a mechanism of at most one size."""
         return _fitted(partial(mechanism.board, marks=False, poses=poses), annotate, stretch, size, least)
 
@@ -110,11 +110,11 @@ def _fitted(
     stretch: float,
     size: float,
     least: float,
-) -> Draft:
+) -> Unlettered:
     """The figure on a mechanism of the size with which everything is on the paper."""
     for _ in range(_TRIES):
         plain = base(size=size)
-        board = MotionBoard(**{spec.name: getattr(plain, spec.name) for spec in fields(plain)})
+        board = MotionBoard(**asdict(plain))
         board.least = least
         annotate(board, stretch)
         low, high = board.sketch.corners()

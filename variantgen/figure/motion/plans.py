@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
 from decimal import Decimal
 
 import numpy as np
+from msgspec import Struct, field
+from msgspec.structs import replace
 
 from variantgen.families.parameters.units import Unit
 from variantgen.families.parameters.units import unit as unit_of
-from variantgen.figure.draft import Draft, made
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing, Layer
+from variantgen.figure.making import Unlettered, made
 from variantgen.figure.placement.label_requests import LabelRequest, Places, along_line, around, label_size
 from variantgen.figure.placement.least_crowded import first_clean
 from variantgen.figure.sketch import DOT, Sketch
@@ -31,8 +32,7 @@ _BAR = 26.0  # longest scale bar, u
 _BELOW = 7.5  # between plan and scale bar, u
 
 
-@dataclass(frozen=True)
-class PlanVector:
+class PlanVector(Struct, frozen=True):
     """An arrow of a plan from ``start`` to ``end`` (m/s or m/s^2 from the pole); ``whole`` for one from the pole."""
 
     start: complex
@@ -41,8 +41,7 @@ class PlanVector:
     whole: bool = False
 
 
-@dataclass
-class VectorPlan:
+class VectorPlan(Struct):
     """What a plan shows: letters at ends of vectors, the vectors, construction lines (end, direction), edges of plates.
 
     Everything in m/s or m/s^2 from the pole.
@@ -60,8 +59,7 @@ class VectorPlan:
         return [0j, *(end for _, end in self.ends), *(p for vector in self.vectors for p in (vector.start, vector.end))]
 
 
-@dataclass(frozen=True)
-class PlanScale:
+class PlanScale(Struct, frozen=True):
     """One millimetre on paper stands for ``value`` of ``unit``."""
 
     value: Decimal
@@ -84,7 +82,7 @@ def draw_plan(plan: VectorPlan, scale: PlanScale, language: Language) -> Drawing
     return made(first_clean(_drawn(plan, scale, language, beyond) for beyond in _BEYOND))
 
 
-def _drawn(plan: VectorPlan, printed: PlanScale, language: Language, beyond: float) -> Draft:
+def _drawn(plan: VectorPlan, printed: PlanScale, language: Language, beyond: float) -> Unlettered:
     """The plan, with construction lines that run on so far beyond the ends."""
     scale = printed.figure_units
     sketch = Sketch({"pole": 0j}, scale)
@@ -105,7 +103,7 @@ def _drawn(plan: VectorPlan, printed: PlanScale, language: Language, beyond: flo
         names: Formula = symbols[0] if len(symbols) == 1 else FormulaList(tuple(symbols))
         sketch.label(around(names, place, 0.7))
     _draw_scale(sketch, printed, language)
-    return Draft(sketch, {str(i): place for i, (place, _) in enumerate(ends)})
+    return Unlettered(sketch, {str(i): place for i, (place, _) in enumerate(ends)})
 
 
 def _gathered(named: Sequence[tuple[Symbol, complex]]) -> list[tuple[complex, list[Symbol]]]:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
 from itertools import islice
 
 import numpy as np
+from msgspec import Struct, field
 
 from variantgen.figure.drawing import THIN, Layer, Path
 from variantgen.figure.ink import boxes_crossed, crosses
@@ -23,8 +23,7 @@ _AWAY = complex(1e6, 1e6)  # far from all paper
 _LEADER_GAP = 0.35  # between a leader and its label or the symbol, u
 
 
-@dataclass
-class Choice:
+class LabelChoice(Struct):
     """The candidates of one label with what they cost apart from other labels, and the one that is taken.
 
     The last ones need a leader: to the ``ends``, shape (L,).
@@ -49,7 +48,7 @@ class Choice:
     @property
     def leader(self) -> Path | None:
         """The leader of the chosen place, where it needs one."""
-        number = self.taken - self.near
+        number = self.taken - self.near if self.ends.size else -1
         return _leader(self.request, self.place, complex(self.ends[number])) if number >= 0 else None
 
     @property
@@ -58,7 +57,7 @@ class Choice:
         return bool(self.costs[self.taken] >= INK)
 
 
-def resolve_overlaps(choices: Sequence[Choice], first: Iterable[int]) -> set[int]:
+def resolve_overlaps(choices: Sequence[LabelChoice], first: Iterable[int]) -> set[int]:
     """Move labels that cover each other until none does; those with the fewest good places move first.
 
     Returns those that still do.
@@ -83,7 +82,7 @@ def resolve_overlaps(choices: Sequence[Choice], first: Iterable[int]) -> set[int
     return conflicts
 
 
-def conflicting(choices: Sequence[Choice]) -> list[int]:
+def conflicting(choices: Sequence[LabelChoice]) -> list[int]:
     """Labels that cover another one or read together with it."""
     # Plain numbers: there are a few dozen pairs at most, and most are far apart.
     known = sorted((c.place.real, c.place.imag, *c.request.box, i) for i, c in enumerate(choices))
@@ -103,7 +102,7 @@ def conflicting(choices: Sequence[Choice]) -> list[int]:
 class _Standing:
     """Where all labels stand now: their places, boxes and leaders."""
 
-    def __init__(self, choices: Sequence[Choice]) -> None:
+    def __init__(self, choices: Sequence[LabelChoice]) -> None:
         self._places = np.array([choice.place for choice in choices])
         self._boxes = np.array([choice.request.box for choice in choices])
         self._leaders = [choice.leader for choice in choices]
@@ -112,11 +111,11 @@ class _Standing:
         """Take a label away from the paper."""
         self._places[i], self._leaders[i] = _AWAY, None
 
-    def put(self, i: int, choice: Choice) -> None:
+    def put(self, i: int, choice: LabelChoice) -> None:
         """Put a label to its chosen place."""
         self._places[i], self._leaders[i] = choice.place, choice.leader
 
-    def best(self, own: Choice) -> int:
+    def best(self, own: LabelChoice) -> int:
         """The candidate of a label that costs least in view of what stands."""
         costs = self._overlaps(own)
         best = int((own.costs + costs).argmin())
@@ -126,7 +125,7 @@ class _Standing:
             best = int((own.costs + costs).argmin())
         return best
 
-    def _overlaps(self, own: Choice) -> Costs:
+    def _overlaps(self, own: LabelChoice) -> Costs:
         """Cost of the labels and leaders under each candidate of a label."""
         half_width, half_height = own.request.box
         across = np.abs(own.places.imag[:, None] - self._places.imag)
@@ -143,7 +142,7 @@ class _Standing:
             costs += _LABEL * boxes_crossed(own.places, box, np.array(leaders))
         return costs
 
-    def _crossed_by_leaders(self, own: Choice) -> Costs:
+    def _crossed_by_leaders(self, own: LabelChoice) -> Costs:
         """Cost of the labels that the leaders of a label would cross."""
         boxes = self._boxes + TIGHT
         ways = 0.5 * (own.places[own.near :] - own.ends)

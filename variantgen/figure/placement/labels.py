@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from variantgen.figure.drawing import Label, Path
 from variantgen.figure.ink import Segments, Sides
-from variantgen.figure.placement.choices import CLOSE, GAP, INK, TIGHT, Choice, conflicting, resolve_overlaps
+from variantgen.figure.placement.choices import CLOSE, GAP, INK, TIGHT, LabelChoice, conflicting, resolve_overlaps
 from variantgen.figure.placement.label_requests import Costs, LabelRequest, Places, far_from
 from variantgen.figure.placement.misleading_places import MISREAD, MisleadingPlaces
 from variantgen.figure.placement.occupancy import Occupancy
@@ -38,7 +38,7 @@ class WantedLabels(NamedTuple):
     strangers: Sequence[complex]
 
 
-class Placed(NamedTuple):
+class PlacedLabels(NamedTuple):
     """Labels, the leaders of those that are far from what they name, and whether one of them may be hard to read."""
 
     labels: list[Label]
@@ -46,10 +46,10 @@ class Placed(NamedTuple):
     doubtful: bool
 
 
-NOTHING_PLACED = Placed([], [], False)
+NOTHING_PLACED = PlacedLabels([], [], False)
 
 
-def place_labels(figures: Sequence[WantedLabels]) -> list[Placed]:
+def place_labels(figures: Sequence[WantedLabels]) -> list[PlacedLabels]:
     """Labels where they cost least, of several figures at once: the arrays of one are so small that calls would cost.
 
     Each figure wants a label at least.
@@ -70,17 +70,17 @@ def place_labels(figures: Sequence[WantedLabels]) -> list[Placed]:
         for number, (own, of) in enumerate(zip(choices, conflicts, strict=True))
     ]
     return [
-        Placed([_label(c) for c in own], [leader for c in own if (leader := c.leader)], of)
+        PlacedLabels([_label(c) for c in own], [leader for c in own if (leader := c.leader)], of)
         for own, of in zip(choices, doubtful, strict=True)
     ]
 
 
-def _crowded(choices: Sequence[Choice]) -> set[int]:
+def _crowded(choices: Sequence[LabelChoice]) -> set[int]:
     """The labels whose places are so bad that a leader may be better."""
     return {i for i, c in enumerate(choices) if c.costs[c.taken] >= (_FAR if c.request.vector else INK)}
 
 
-def _label(choice: Choice) -> Label:
+def _label(choice: LabelChoice) -> Label:
     request = choice.request
     half_width, half_height = request.box
     return Label(request.formula, choice.place, (2 * half_width, 2 * half_height), arrow=request.arrow)
@@ -98,7 +98,7 @@ class _Papers:
         strangers = [figure.strangers for figure in figures]
         self._misleading = MisleadingPlaces(self._requests, self._figure, strangers, self._occupancy)
 
-    def near_choices(self) -> list[list[Choice]]:
+    def near_choices(self) -> list[list[LabelChoice]]:
         """The candidates of all labels with their costs, by figure; of each label the best one is taken."""
         count = [len(r.places) for r in self._requests]
         # What is not filled costs more than anything.
@@ -110,12 +110,12 @@ class _Papers:
         self._add_misleading(places, costs)
         best = costs.argmin(axis=1).tolist()
         choices = [
-            Choice(request, own[:size], cost[:size], taken, complex(own[taken]))
+            LabelChoice(request, own[:size], cost[:size], taken, complex(own[taken]))
             for request, own, cost, size, taken in zip(self._requests, places, costs, count, best, strict=True)
         ]
         return [choices[start:end] for start, end in zip(self._first, self._first[1:], strict=False)]
 
-    def misread(self, choices: Sequence[Sequence[Choice]], figures: Sequence[int]) -> list[tuple[int, int]]:
+    def misread(self, choices: Sequence[Sequence[LabelChoice]], figures: Sequence[int]) -> list[tuple[int, int]]:
         """The labels of some figures that would be read with another arrow where they stand: figure, number there."""
         asked = [(figure, i) for figure in figures for i in range(len(choices[figure]))]
         if not asked:
@@ -124,7 +124,7 @@ class _Papers:
         found = self._misleading.misread(places, np.array([self._first[figure] + i for figure, i in asked]))
         return [asked[number] for number in np.flatnonzero(found).tolist()]
 
-    def add_misread(self, choices: Sequence[Sequence[Choice]], figures: Sequence[int]) -> set[int]:
+    def add_misread(self, choices: Sequence[Sequence[LabelChoice]], figures: Sequence[int]) -> set[int]:
         """Add what a place costs that is read with another arrow, where a label has moved to one that was not asked.
 
         Returns those of the figures that have such a label.
@@ -137,7 +137,7 @@ class _Papers:
             choice.costs[new] += MISREAD * self._misleading.misread(choice.places[new], owner)
         return {figure for figure, _ in found}
 
-    def add_leaders(self, choices: Sequence[Sequence[Choice]], crowded: Sequence[Iterable[int]]) -> None:
+    def add_leaders(self, choices: Sequence[Sequence[LabelChoice]], crowded: Sequence[Iterable[int]]) -> None:
         """Add far candidates to the ``crowded`` choices of each figure."""
         owner = [(figure, i) for figure, of in enumerate(crowded) for i in sorted(of)]
         own = [choices[figure][i] for figure, i in owner]

@@ -5,8 +5,8 @@ function ``draw``, which raises InputError where there is nothing of the kind to
 is drawn by ``draw(variant, motion, index, asked, language)``, one of motion also with the vectors of the solution
 beside which it stands: it returns a :class:`~variantgen.figure.drawing.Drawing`. A figure of a part of a solution is
 begun by ``draw(subject, vectors, which)`` with a :class:`~variantgen.figure.equations.body_board.FigureSubject`, which
-says what is marked there: it returns a figure in the making (:mod:`variantgen.figure.draft`), so that the labels of all
-figures of a solution are placed together.
+says what is marked there: it returns a figure in the making (:mod:`variantgen.figure.making`), so that the labels of
+all figures of a solution are placed together.
 """
 
 from __future__ import annotations

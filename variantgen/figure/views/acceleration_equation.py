@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from variantgen.figure.draft import Making
 from variantgen.figure.equations.body_board import FigureSubject
 from variantgen.figure.equations.equation_figure import draw_equation
+from variantgen.figure.making import Making
 from variantgen.methods.steps.point_vectors import PointVectors
 
 ORDER = 2

@@ -11,10 +11,10 @@ from collections.abc import Sequence
 from functools import partial
 
 from variantgen.families.quantities import Quantity
-from variantgen.figure.draft import made
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Drawing
 from variantgen.figure.equations.body_board import FigureSubject
 from variantgen.figure.equations.marked_geometry import MOST_ANGLES, draw_geometry
+from variantgen.figure.making import made
 from variantgen.figure.motion.acceleration_centre import draw_acceleration_centres
 from variantgen.figure.motion.contact_letters import draw_dot
 from variantgen.figure.motion.motion_board import (

@@ -10,8 +10,10 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
+from functools import lru_cache
 from typing import TypeAlias
+
+from msgspec import Struct
 
 from variantgen.algebra.expression import Constant, Expression, Pi, Ratio, Value, Variable
 from variantgen.algebra.name import Name
@@ -28,8 +30,7 @@ _SAME = 1e-9  # degrees
 _ROUNDING = 1e-11  # degrees: some roundings of an angle in radians
 
 
-@dataclass(frozen=True)
-class AngleForm:
+class AngleForm(Struct, frozen=True):
     """``sum of coefficient * atom + constant`` in degrees; ``parts`` are sorted, without zeros."""
 
     parts: tuple[tuple[Atom, float], ...] = ()
@@ -71,8 +72,19 @@ def form_of(parts: Iterable[tuple[Atom, float]], constant: float) -> AngleForm:
     """A sum from coefficients by atom."""
     kept = [(atom, c) for atom, c in parts if c != 0]
     if len(kept) > 1:
-        kept.sort(key=lambda item: str(item[0]))
+        kept.sort(key=_order)
     return AngleForm(tuple(kept), constant)
+
+
+def _order(part: tuple[Atom, float]) -> str:
+    """The text of an atom, by which sums are sorted."""
+    atom = part[0]
+    return f"Value({_text_of(atom.name)}, {atom.exact:.6g})" if isinstance(atom, Value) else str(atom)
+
+
+@lru_cache(maxsize=4096)
+def _text_of(name: Name | None) -> str:
+    return str(name)
 
 
 class Angles:

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam.solution_figures import SolutionFigures, view_order
 from variantgen.families.asking import read_ask
-from variantgen.figure.draft import all_made
 from variantgen.figure.drawing import Drawing
+from variantgen.figure.making import all_made
 from variantgen.figure.views import is_of_parts
 from variantgen.figure.views import view as find_view
 from variantgen.methods.solution_options import SolutionOptions
@@ -27,8 +28,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure, SubFigure
 
 
-@dataclass(frozen=True, repr=False)
-class Picture:
+class Picture(Struct, frozen=True):
     """A drawing with its renderings; a notebook shows it by itself."""
 
     drawing: Drawing

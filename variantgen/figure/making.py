@@ -17,7 +17,7 @@ from variantgen.wording.words import MissingWordError
 _AT_ONCE = 8  # figures of which the labels are placed together: with more their arrays leave the cache
 
 
-class Draft(NamedTuple):
+class Unlettered(NamedTuple):
     """A sketch without its labels, and the points that it shows; a drawing of it that is so wide (u) is no good."""
 
     sketch: Sketch
@@ -25,7 +25,7 @@ class Draft(NamedTuple):
     widest: float = float("inf")
 
 
-Making: TypeAlias = Generator[Draft, Drawing, Drawing]
+Making: TypeAlias = Generator[Unlettered, Drawing, Drawing]
 
 
 def made(making: Making) -> Drawing:
@@ -56,7 +56,9 @@ def tried(makings: Sequence[Making]) -> list[Drawing | InputError]:
     return [found[number] for number in range(len(makings))]
 
 
-def _next(making: Making, drawing: Drawing | None, number: int, found: dict[int, Drawing | InputError]) -> Draft | None:
+def _next(
+    making: Making, drawing: Drawing | None, number: int, found: dict[int, Drawing | InputError]
+) -> Unlettered | None:
     """What a figure tries next after it has got a drawing (none: at first); None where it is ``found``."""
     try:
         return next(making) if drawing is None else making.send(drawing)
