@@ -176,8 +176,8 @@ def _forms(facts: Facts, words: Mapping[str, Any]) -> Facts:
             if fact in facts and name.partition("_")[0] == table:
                 found[name.replace(table, fact)] = words[name].get(facts[fact], "")
     for fact in ("driver", "coupler"):
-        if name := found.get(fact):
-            found[fact.capitalize()] = name[0].upper() + name[1:]
+        if noun := found.get(fact):
+            found[fact.capitalize()] = noun[0].upper() + noun[1:]
     return found
 
 
