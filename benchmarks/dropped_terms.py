@@ -15,11 +15,12 @@ radians, and the other branch where it is a choice of the family, are variants w
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from decimal import Decimal
 from math import degrees
 
 import numpy as np
+from msgspec.structs import replace
 
 from variantgen.exam.sheets import Answer
 from variantgen.families.quantities import motion_order

@@ -15,7 +15,9 @@ import argparse
 import statistics
 import time
 from collections import Counter
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
+
+from msgspec.structs import replace
 
 from benchmarks.measure import machine_line, write_beside
 from variantgen.families.family import Family, Form

@@ -8,11 +8,11 @@ import sys
 import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pikepdf
+from msgspec.structs import replace
 
 from benchmarks import exams, processes
 from benchmarks.exams import FIVE_FAMILIES

@@ -102,7 +102,7 @@ with contextlib.redirect_stdout(quiet), contextlib.redirect_stderr(quiet), conte
     main(sys.argv[1:])
 print(json.dumps(sorted(sys.modules)))
 """
-PACKAGES = ("numpy", "scipy", "jinja2", "typst", "pikepdf", "matplotlib", "mpmath", "openpyxl")
+PACKAGES = ("msgspec", "numpy", "scipy", "jinja2", "typst", "pikepdf", "matplotlib", "mpmath", "openpyxl")
 
 
 def modules(arguments: list[str]) -> list[str]:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
+
+from msgspec.structs import replace
 
 from variantgen.builder.build_spec import BuildSpec, preloaded
 from variantgen.builder.draw_stage import draw_all

@@ -16,7 +16,6 @@ import re
 import subprocess
 import sys
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import fields, is_dataclass
 from pathlib import Path
 from statistics import mean, median
 from typing import Any
@@ -86,7 +85,8 @@ def inside(item: Any) -> Iterator[Any]:
         return
     if isinstance(item, Mapping):
         item = tuple(item.values())
-    parts = [getattr(item, field.name) for field in fields(item)] if is_dataclass(item) else item
+    names = getattr(type(item), "__match_args__", None)  # the fields, in this checkout and in older ones
+    parts = [getattr(item, name) for name in names] if names is not None else item
     if isinstance(parts, list | tuple):
         for part in parts:
             yield from inside(part)

@@ -5,8 +5,10 @@ from __future__ import annotations
 import math
 import re
 import string
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
+
+from msgspec.structs import replace
 
 from variantgen.families.quantities import Quantity, parse_quantity
 from variantgen.families.reading.load import load_family

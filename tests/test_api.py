@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import copy
 import json
+import pickle
 import subprocess
 import sys
 from pathlib import Path
@@ -27,6 +29,24 @@ def test_exports_are_complete_and_sorted() -> None:
 def test_unknown_names_are_attribute_errors() -> None:
     with pytest.raises(AttributeError):
         _ = variantgen.nonsense
+
+
+def test_objects_are_values() -> None:
+    """As dataclasses they were, and Python programs rely on it."""
+    one, same = variantgen.Student("id 1", "Ann", "M-1"), variantgen.Student("id 1", group="M-1", name="Ann")
+    assert one == same
+    assert len({one, same, variantgen.Student("id 2", "Ann", "M-1")}) == 2
+    assert repr(one).startswith("Student(id='id 1', name='Ann'")
+    assert pickle.loads(pickle.dumps(one)) == copy.deepcopy(one) == one
+    match one:
+        case variantgen.Student("id 1", name=name):
+            assert name == "Ann"
+        case _:
+            pytest.fail("no match")
+    with pytest.raises(AttributeError):
+        one.name = "Bob"  # type: ignore[misc]
+    with pytest.raises(TypeError):
+        variantgen.Student("id 1", "Ann", "M-1", nonsense=1)  # type: ignore[call-arg]
 
 
 def modules_after(code: str) -> set[str]:

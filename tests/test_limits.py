@@ -5,10 +5,10 @@ from __future__ import annotations
 import os
 import shutil
 import tracemalloc
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 
 from tests.exam.test_blueprint import at_most
 from variantgen.builder.build_spec import BuildSpec

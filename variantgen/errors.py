@@ -7,11 +7,11 @@ value, what was expected and what to do, because the reader is an instructor and
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 
-@dataclass(frozen=True)
-class Problem:
+class Problem(Struct, frozen=True):
     """One mistake in the input: where it is, what it says, what was expected, what to do."""
 
     message: str

@@ -9,11 +9,12 @@ Whatever else can be asked stands in a list.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
 from math import isfinite
 from typing import Any
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.families.parameters.units import Unit, unit
 from variantgen.families.quantities import Quantity, interval_names, motion_order, split_name
@@ -31,8 +32,7 @@ _IN_TABLES = ("v", "a", "omega", "epsilon", "v_rel", "a_rel", "a_cor", "P", "Q",
 Number = float | None  # None: there is none, as of the direction of nothing or of a centre at infinity
 
 
-@dataclass(frozen=True)
-class ResultTable:
+class ResultTable(Struct, frozen=True):
     """Numbers of several things in printed units: ``columns`` are names with units, ``rows`` are by a thing's name."""
 
     title: str

@@ -6,7 +6,6 @@ they are the folders beside the package. The imported package's own folder is as
 
 from __future__ import annotations
 
-import hashlib
 from functools import cache
 from pathlib import Path
 
@@ -36,6 +35,8 @@ def languages() -> list[str]:
 
 def folder_hash(folder: Path) -> str:
     """Hash (16 hex digits) of the names and bytes of all files below a folder, in sorted order."""
+    import hashlib  # with OpenSSL, which `list` and `--help` have no use for
+
     digest = hashlib.sha256()
     for path in sorted(path for path in folder.rglob("*") if path.is_file()):
         digest.update(path.relative_to(folder).as_posix().encode() + b"\0")

@@ -7,10 +7,11 @@ import re
 import tomllib
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import replace
 from decimal import Decimal
 from pathlib import Path
 from typing import Any, TypeVar
+
+from msgspec.structs import replace
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.limits import DIGITS, KEY_PARTS, TOML_BYTES

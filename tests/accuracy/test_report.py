@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import builtins
 import csv
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 
 from variantgen.accuracy import summary
 from variantgen.accuracy.cases import dead_points, length_ratios, scales

@@ -11,10 +11,10 @@ import threading
 import time
 from collections.abc import Iterator
 from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 
 from tests.builder.small_exams import TEXT, content, exam, exam_file
 from variantgen.builder import WorkerLostError, build, scheduled_workers

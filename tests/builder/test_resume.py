@@ -8,10 +8,10 @@ import signal
 import subprocess
 import sys
 import time
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 
 from tests.builder.small_exams import TEXT, content, exam, exam_file
 from tests.tools import NIGHTLY

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from math import pi, sqrt
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 from variantgen.families.asking import read_ask
 from variantgen.families.family import Family

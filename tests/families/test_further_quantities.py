@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Any
 
 import mpmath
 import pytest
+from msgspec.structs import replace
 
 from variantgen.errors import InputError
 from variantgen.exam.sheets import answer_variants

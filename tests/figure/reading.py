@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from itertools import pairwise
 from types import ModuleType
 
 import pytest
+from msgspec.structs import replace
 
 from variantgen.errors import InputError
 from variantgen.families.family import Form

@@ -6,12 +6,12 @@ import cmath
 import io
 import math
 import pickle
-from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
 
 import pikepdf
 import pytest
+from msgspec.structs import replace
 
 from benchmarks.sheets import drawn_sheets
 from variantgen.cli import main

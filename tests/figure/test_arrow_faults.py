@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from dataclasses import astuple
 
 import pytest
+from msgspec.structs import astuple
 
 from variantgen.figure.arrow_faults import inspect_arrows
 from variantgen.figure.drawing import BOLD, Arc, Drawing, Layer, RotationArc

@@ -5,9 +5,9 @@ from __future__ import annotations
 import json
 import re
 import timeit
-from dataclasses import replace
 
 import pytest
+from msgspec.structs import replace
 
 from variantgen.families.quantities import parse_quantity
 from variantgen.families.reading.folders import family_names

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import cmath
 import math
-from dataclasses import replace
 from functools import cache
 from itertools import pairwise
 from typing import ClassVar
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 from tests.figure.reading import FORMS, arrows, has_arrow, variants_of, view_drawings
 from variantgen.errors import InputError

@@ -7,10 +7,10 @@ the figures looked at) in the diff.
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 
 from tests.figure.transcript import transcript
 from variantgen.families.quantities import parse_quantity

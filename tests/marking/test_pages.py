@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
 import openpyxl
 import pytest
+from msgspec.structs import replace
 
 from tests.marking.test_marks import Mark, acceleration, built, key, long, mark, order, parameters
 from variantgen.exam.roster import Student

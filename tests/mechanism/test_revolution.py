@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 from variantgen.families.reading.load import load_family
 from variantgen.mechanism.motion import Motion
@@ -61,7 +62,7 @@ def test_with_several_drivers_the_others_are_held() -> None:
 
 def test_what_cannot_be_turned_is_refused() -> None:
     motion = four_bar(20, 40, 32, 40)
-    both = Motion(**{**vars(motion), "outcome": np.zeros(2, dtype=np.int8)})
+    both = replace(motion, outcome=np.zeros(2, dtype=np.int8))
     with pytest.raises(ValueError, match="one solved variant"):
         can_revolve(both, "OA")
     wedge = solve_variants(draw_one("wedge_and_rod"), 2)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from math import atan2, degrees, sqrt
 
 import pytest
+from msgspec.structs import replace
 
 from tests.methods.test_velocity_centre import keys
 from tests.solved_cases import case_of, task

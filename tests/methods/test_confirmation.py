@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 
 import pytest
+from msgspec.structs import replace
 
 from tests.methods.damaged import damage_formulas
 from variantgen.algebra.expression import Constant, Expression, Raised, Ratio, SquareRoot, Times, Total, Value

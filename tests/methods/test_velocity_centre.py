@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from math import asin, cos, radians, sin, sqrt
 
 import pytest
+from msgspec.structs import replace
 
 from tests.methods.given_data import worked_book
 from tests.solved_cases import case_of, task

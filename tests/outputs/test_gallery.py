@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import shlex
 import xml.etree.ElementTree as ET
-from dataclasses import replace
 from pathlib import Path
 
 import html5lib
 import pikepdf
 import pytest
+from msgspec.structs import replace
 
 from tests.pdf_text import page_texts
 from variantgen.cli import main

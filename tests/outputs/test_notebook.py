@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 import subprocess
 import sys
-from dataclasses import replace
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import html5lib
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 import variantgen
 from variantgen.outputs.single.chart import Abscissa, ChartCurve, chart

@@ -7,10 +7,10 @@ import io
 import json
 import shutil
 from collections.abc import Iterable
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 
 from benchmarks.sheets import drawn_sheets
 from variantgen.builder import build

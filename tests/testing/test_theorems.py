@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import sys
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
 from hypothesis import Phase, given, settings
+from msgspec.structs import replace
 
 from variantgen import testing
 from variantgen.errors import InputError, ToolMissingError

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from math import cos, radians, sin
 
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 from variantgen.errors import InputError
 from variantgen.families.machine import SIZES

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 from typing import Any, Protocol
 
 import numpy as np
+from msgspec import Struct, field
 from numpy.typing import NDArray
 
 from variantgen.mechanism.scene import Scene
 
 
-@dataclass(frozen=True)
-class Computed:
+class Computed(Struct, frozen=True):
     """Places, velocities, accelerations by point and by body, shape (N,) each; what a way does not find is left out.
 
     ``refused``: which variants the way itself says it cannot solve; ``lost``: for which it did not converge.
@@ -74,8 +73,7 @@ class Textbook(Protocol):
         ...
 
 
-@dataclass(frozen=True)
-class CaseGroup:
+class CaseGroup(Struct, frozen=True):
     """Variants of one structure: a scene of the shape (size,), and the closed form where there is one."""
 
     label: str

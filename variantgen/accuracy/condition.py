@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
+
+from msgspec import Struct
 
 from variantgen.accuracy.norms import deviation
 from variantgen.accuracy.precise import mpmath
@@ -14,8 +15,7 @@ from variantgen.mechanism.scene import Scene
 _CHANGE = 25  # decimal places of the relative change of a number
 
 
-@dataclass(frozen=True)
-class ConditionNumbers:
+class ConditionNumbers(Struct, frozen=True):
     """``kappa = sum over the data d of |d| |dy/dd| / |y|`` for positions, velocities, accelerations; at least 1."""
 
     position: float

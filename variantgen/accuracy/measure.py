@@ -7,11 +7,11 @@ import pkgutil
 import time
 import warnings
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
 from functools import cache
 from types import ModuleType
 
 import numpy as np
+from msgspec import Struct, field
 
 from variantgen.accuracy import algorithms
 from variantgen.accuracy.computed import CaseGroup, Computed
@@ -30,8 +30,7 @@ from variantgen.mechanism.scene import Scene
 FAILURES = ("exception", "not a number", "refused", "no convergence", "wrong branch")
 
 
-@dataclass(frozen=True)
-class ReferenceCase:
+class ReferenceCase(Struct, frozen=True):
     """One variant as exact scene, its exact motion and how well conditioned it is."""
 
     scene: Scene
@@ -39,8 +38,7 @@ class ReferenceCase:
     condition: ConditionNumbers
 
 
-@dataclass
-class Errors:
+class Errors(Struct):
     """Errors of one way in one group: relative, by order (positions, velocities, accelerations), a row per variant.
 
     ``factors`` are the errors of velocities and accelerations divided by (condition number x machine epsilon), and

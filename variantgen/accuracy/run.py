@@ -7,10 +7,10 @@ import os
 import pkgutil
 import platform
 from collections.abc import Callable
-from dataclasses import dataclass
 from types import ModuleType
 
 import numpy as np
+from msgspec import Struct
 
 from variantgen.accuracy import cases
 from variantgen.accuracy.integration.compare import PassageErrors, follow
@@ -23,8 +23,7 @@ SEED = 20260
 Progress = Callable[[str], None]
 
 
-@dataclass(frozen=True)
-class MeasurementExtent:
+class MeasurementExtent(Struct, frozen=True):
     """How much is measured: about so many variants of a class; so many of its groups are timed, in so many rounds.
 
     Passages: turns of the long one, gaps of the stiff ones, instants of each, tolerances, most evaluations of one
@@ -47,8 +46,7 @@ FULL = MeasurementExtent(
 )  # fmt: skip
 
 
-@dataclass(frozen=True)
-class CaseClass:
+class CaseClass(Struct, frozen=True):
     """A class of cases: its title, what it is about, errors by group and way, number of variants."""
 
     title: str
@@ -57,8 +55,7 @@ class CaseClass:
     variants: int
 
 
-@dataclass(frozen=True)
-class PassageResult:
+class PassageResult(Struct, frozen=True):
     """A passage: its title, stiffness ratio, largest over smallest angular velocity of the rocker, results."""
 
     title: str
@@ -67,8 +64,7 @@ class PassageResult:
     results: tuple[PassageErrors, ...]
 
 
-@dataclass(frozen=True)
-class Measurement:
+class Measurement(Struct, frozen=True):
     """Everything that was measured, and on what."""
 
     classes: tuple[CaseClass, ...]

@@ -10,8 +10,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import lru_cache
+
+from msgspec import Struct
 
 from variantgen.algebra.decimals import ANGLE, decimals_shown, rounded, usual_decimals
 from variantgen.algebra.functions import FUNCTIONS
@@ -135,8 +136,7 @@ def _told(name: Name | None) -> str:
     return str(name)
 
 
-@dataclass(frozen=True, slots=True)
-class Constant(Expression):
+class Constant(Expression, Struct, frozen=True):
     """A number that belongs to a formula, as in ``2 omega v`` or ``0.5 AB``; ``measure`` "angle" for degrees."""
 
     value: float
@@ -147,15 +147,13 @@ class Constant(Expression):
         return float(self.value)
 
 
-@dataclass(frozen=True, slots=True)
-class Variable(Expression):
+class Variable(Expression, Struct, frozen=True):
     """A quantity that has only a name: the data of a family, whose numbers come with a variant."""
 
     name: str
 
 
-@dataclass(frozen=True, slots=True)
-class Pi(Expression):
+class Pi(Expression, Struct, frozen=True):
     """The number pi."""
 
     def number(self, exact: bool) -> float:
@@ -163,8 +161,7 @@ class Pi(Expression):
         return math.pi
 
 
-@dataclass(frozen=True, slots=True)
-class Total(Expression):
+class Total(Expression, Struct, frozen=True):
     """A sum of terms with signs."""
 
     terms: tuple[tuple[int, Expression], ...]
@@ -194,8 +191,7 @@ class Total(Expression):
         return self if self.terms[0][0] > 0 else Total(tuple((-sign, term) for sign, term in self.terms))
 
 
-@dataclass(frozen=True, slots=True)
-class Times(Expression):
+class Times(Expression, Struct, frozen=True):
     """A product."""
 
     factors: tuple[Expression, ...]
@@ -209,8 +205,7 @@ class Times(Expression):
         return self.factors
 
 
-@dataclass(frozen=True, slots=True)
-class Ratio(Expression):
+class Ratio(Expression, Struct, frozen=True):
     """A fraction."""
 
     above: Expression
@@ -225,8 +220,7 @@ class Ratio(Expression):
         return (self.above, self.below)
 
 
-@dataclass(frozen=True, slots=True)
-class Raised(Expression):
+class Raised(Expression, Struct, frozen=True):
     """A whole power."""
 
     base: Expression
@@ -242,8 +236,7 @@ class Raised(Expression):
         return (self.base,)
 
 
-@dataclass(frozen=True, slots=True)
-class SquareRoot(Expression):
+class SquareRoot(Expression, Struct, frozen=True):
     """A square root."""
 
     inner: Expression
@@ -257,8 +250,7 @@ class SquareRoot(Expression):
         return (self.inner,)
 
 
-@dataclass(frozen=True, slots=True)
-class Magnitude(Expression):
+class Magnitude(Expression, Struct, frozen=True):
     """An absolute value."""
 
     inner: Expression
@@ -272,8 +264,7 @@ class Magnitude(Expression):
         return (self.inner,)
 
 
-@dataclass(frozen=True, slots=True)
-class Applied(Expression):
+class Applied(Expression, Struct, frozen=True):
     """A function of an angle in degrees, or one with such a value; of plain numbers exp, ln; of two min, max, atan2."""
 
     function: str

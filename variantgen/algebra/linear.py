@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
 
 import numpy as np
+from msgspec import Struct
 
 from variantgen.algebra.expression import Constant, Expression, Ratio, Times, Total, Value
 from variantgen.algebra.normal_form import Maybe, added, product
@@ -14,8 +14,7 @@ from variantgen.algebra.values import parts
 _ONE = Constant(1.0)
 
 
-@dataclass(frozen=True, slots=True)
-class LinearSolution(Expression):
+class LinearSolution(Expression, Struct, frozen=True):
     """One unknown of a system of linear equations: ``rows`` of coefficients, right-hand sides, its number."""
 
     rows: tuple[tuple[Expression, ...], ...]

@@ -10,12 +10,13 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
 from functools import cached_property
 from os import PathLike
 from typing import Any, SupportsIndex, overload
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from variantgen.arrays.columns import Columns, as_csv, motion_columns
@@ -44,8 +45,7 @@ from variantgen.variants.variant import Variant
 _LARGEST = 10_000_000
 
 
-@dataclass(frozen=True, repr=False, eq=False)
-class Batch:
+class Batch(Struct, frozen=True, eq=False, dict=True):
     """Variants of one form, solved; every array has the shape (N,) and every mapping is by names.
 
     ``motion`` has positions (m), velocities and accelerations on paper as complex numbers x + iy, in SI, and rotations

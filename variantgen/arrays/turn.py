@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import SupportsIndex
 
 import numpy as np
+from msgspec import Struct
 
 from variantgen.arrays.columns import Columns, as_csv, motion_columns
 from variantgen.arrays.whole_number import whole_number
@@ -24,8 +24,7 @@ _LARGEST = 1_000_000
 _DECIMALS = 9  # of degrees: what is beyond is rounding
 
 
-@dataclass(frozen=True, repr=False, eq=False)
-class DriverTurn:
+class DriverTurn(Struct, frozen=True, eq=False, dict=True):
     """The motion of a variant in positions along the way of its driver, shape (K,), the instant among them.
 
     ``name`` is the parameter that the way changes (an angle in degrees), or ``way``: the angle (degrees) or distance

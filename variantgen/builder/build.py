@@ -6,9 +6,11 @@ import hashlib
 import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
-from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+from msgspec import Struct, field
+from msgspec.structs import replace
 
 from variantgen.builder.build_spec import BuildSpec, preloaded
 from variantgen.builder.draw_stage import draw_all
@@ -35,8 +37,7 @@ Progress = Callable[[str, int, int], None]
 AHEAD = 256
 
 
-@dataclass(frozen=True)
-class Built:
+class Built(Struct, frozen=True):
     """The result of a build: the folder, the number of students, and who had to draw again to be distinct.
 
     ``unexplained`` names the families of which some problems have an answer, but no worked solution; ``alike`` says of

@@ -8,10 +8,12 @@ import tempfile
 import threading
 from collections.abc import Iterator, Mapping
 from contextlib import ExitStack, contextmanager
-from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.errors import VariantgenError
 from variantgen.exam.allocation import ProblemSampler
@@ -32,8 +34,7 @@ class OtherVersionError(VariantgenError):
     may_pass = True
 
 
-@dataclass(frozen=True)
-class BuildSpec:
+class BuildSpec(Struct, frozen=True):
     """An exam to be built with a seed.
 
     Its problems are read again from its ``text``, with the ``families`` that are not in the catalogue (content of their
@@ -51,7 +52,7 @@ class BuildSpec:
     @staticmethod
     def of(exam: Exam) -> BuildSpec:
         """The description of an exam for its workers."""
-        fields = [name for name in Exam.__dataclass_fields__ if name not in _FROM_TEXT]
+        fields = [name for name in Exam.__struct_fields__ if name not in _FROM_TEXT]
         return BuildSpec(
             str(exam.path),
             exam.text,
@@ -109,8 +110,7 @@ def _tasks(exam: Exam) -> str:
     return hashlib.sha256(repr(described).encode()).hexdigest()
 
 
-@dataclass(frozen=True)
-class WorkerContext:
+class WorkerContext(Struct, frozen=True, dict=True):
     """The exam and the typesetting engine that all jobs of a build share in one process."""
 
     exam: Exam

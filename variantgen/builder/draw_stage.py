@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
+from msgspec.structs import replace
 
 from variantgen.builder.build_spec import BuildSpec
 from variantgen.builder.jobs import STUDENTS_PER_DRAW, CompareJob, DrawJob

@@ -5,8 +5,9 @@ from __future__ import annotations
 import gc
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from typing import Any, Protocol
+
+from msgspec import Struct
 
 from variantgen.builder.build_spec import BuildSpec, WorkerContext, worker_context
 from variantgen.exam.allocation import DrawRequest
@@ -44,8 +45,7 @@ def perform(spec: BuildSpec, job: Job) -> Any:
             raise VerificationError(f"{error} (seed {setting.exam.seed})") from error
 
 
-@dataclass(frozen=True)
-class DrawnProblems:
+class DrawnProblems(Struct, frozen=True):
     """Packed problems by parts of students, what is compared of their variants, and how many were drawn again for the
     exam's ceiling of tolerances.
     """
@@ -55,8 +55,7 @@ class DrawnProblems:
     cut: int = 0
 
 
-@dataclass(frozen=True)
-class DrawJob:
+class DrawJob(Struct, frozen=True):
     """Some requests drawn, solved and verified."""
 
     requests: tuple[DrawRequest, ...]
@@ -71,8 +70,7 @@ class DrawJob:
         return DrawnProblems(packed, drawer.traits(self.requests, variants), drawer.cut(self.requests, variants))
 
 
-@dataclass(frozen=True)
-class CompareJob:
+class CompareJob(Struct, frozen=True):
     """The next draws of some requests, only to be compared."""
 
     requests: tuple[DrawRequest, ...]
@@ -84,8 +82,7 @@ class CompareJob:
         return found
 
 
-@dataclass(frozen=True)
-class PackedChunk:
+class PackedChunk(Struct, frozen=True):
     """Some students with the codes of their sheets, and their packed problems: each problem for all of them."""
 
     students: tuple[tuple[Student, str], ...]
@@ -100,16 +97,14 @@ class PackedChunk:
         )
 
 
-@dataclass(frozen=True)
-class RenderedChunk:
+class RenderedChunk(Struct, frozen=True):
     """The pieces of a part by format, and the families of problems in it that have no worked solution."""
 
     pieces: tuple[tuple[str, Fragment], ...]
     unexplained: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True)
-class RenderJob:
+class RenderJob(Struct, frozen=True):
     """All outputs of a few students, or one overview of one format.
 
     ``beginning`` are the groups whose first student is among them, ``first`` says whether that of all is.

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+
+from msgspec.structs import replace
 
 from variantgen.errors import InputError
 from variantgen.exam.allocation import DrawRequest, ProblemSampler, next_draws_of, resolve_duplicates

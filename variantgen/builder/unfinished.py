@@ -19,10 +19,11 @@ import json
 import re
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
+
+from msgspec import Struct
 
 from variantgen.builder.folder_lock import (
     CHANGED,
@@ -44,8 +45,7 @@ from variantgen.outputs.formats import STUDENTS_PER_PART, is_target
 _NO_KEY = b""  # of the plan itself
 
 
-@dataclass(frozen=True)
-class StoredChunk:
+class StoredChunk(Struct, frozen=True):
     """The pieces of a part: (format, target, file), and the families in it without worked solutions."""
 
     pieces: tuple[tuple[str, str, Path], ...]

@@ -10,8 +10,9 @@ import threading
 import time
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
+
+from msgspec import Struct
 
 from variantgen.builder.build_spec import BuildSpec
 from variantgen.builder.jobs import Job, perform
@@ -49,8 +50,7 @@ class InlineWorkers:
             yield key, perform(spec, job)
 
 
-@dataclass(frozen=True)
-class PoolWorkers:
+class PoolWorkers(Struct, frozen=True):
     """An executor and how many jobs it is given at a time: more would only be held in memory.
 
     ``there`` says whether anybody is there who could do a job; where it cannot be known, it is taken to be so.

@@ -5,9 +5,9 @@ from __future__ import annotations
 import time
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import replace
 
 import numpy as np
+from msgspec.structs import replace
 
 from variantgen.check.explained import check_explained, check_told
 from variantgen.check.report import FormReport, Report, Spread

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
 from typing import Any
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.algebra.expression import (
     Applied,
@@ -32,8 +34,7 @@ SI = {
 }  # fmt: skip
 
 
-@dataclass(frozen=True)
-class FileNumber:
+class FileNumber(Struct, frozen=True):
     """A number of a file, in all places that have it: its value there (SI), and what it measures ("" nothing).
 
     ``places`` count the numbers of the file in the order of :func:`changed_numbers`, ``names`` are as the file names

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cache
+
+from msgspec import Struct
 
 from variantgen.families.family import Family
 from variantgen.resources import languages, templates_dir
@@ -15,8 +16,7 @@ from variantgen.tables import read_text, read_toml
 _CODE = re.compile(r"\{%.*?%\}|\{\{.*?\}\}|\{#.*?#\}", re.DOTALL)
 
 
-@dataclass(frozen=True)
-class GlossaryTerm:
+class GlossaryTerm(Struct, frozen=True):
     """A thing by its key, the word for it in one language, and a pattern of words that are avoided."""
 
     key: str

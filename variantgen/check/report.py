@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass, field
 from typing import Any
+
+from msgspec import Struct, field
+from msgspec.structs import asdict
 
 _SHOWN = 3  # places of copies of a mistake that are named
 
 
-@dataclass(frozen=True)
-class Spread:
+class Spread(Struct, frozen=True):
     """How the values of one asked quantity are spread, in its printed unit.
 
     ``low``, ``middle``, ``high``: the values below which a tenth, a half, nine tenths of the variants lie.
@@ -31,8 +32,7 @@ class Spread:
         return f"{self.quantity} {self.low:.3g} .. {self.middle:.3g} .. {self.high:.3g} {self.unit}".removesuffix(" 1")
 
 
-@dataclass
-class FormReport:
+class FormReport(Struct):
     """What the draws of one form showed.
 
     ``nice`` is an estimate of the number of hand-friendly variants (0: none were found), each of which took
@@ -81,8 +81,7 @@ class FormReport:
         ]
 
 
-@dataclass(frozen=True)
-class Finding:
+class Finding(Struct, frozen=True):
     """A mistake: what it is and where it was seen. Findings of one ``kind`` are copies of one mistake."""
 
     kind: str
@@ -90,8 +89,7 @@ class Finding:
     message: str
 
 
-@dataclass
-class Report:
+class Report(Struct):
     """What the check of one family found; ``failures`` is empty when all is well, ``remarks`` are no failures."""
 
     family: str
@@ -122,6 +120,7 @@ class Report:
         """The report as plain data."""
         content = asdict(self)
         del content["findings"]
+        content["forms"] = [asdict(form) | {"spread": [asdict(item) for item in form.spread]} for form in self.forms]
         return {"ok": not self.findings, "failures": self.failures, **content}
 
     def as_text(self) -> str:

@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from decimal import Decimal
+
+from msgspec import Struct
 
 from variantgen.check.vocabulary import vocabulary
 from variantgen.families.family import Form
@@ -21,8 +22,7 @@ _NAME = r"(?P<name>(?<![A-Za-z])[A-Za-z]\w*)"
 _JOINING = re.compile(r"\W*(?:\w{1,3}\W+)?")  # what stands between two names of one noun: "the rods AB and BC"
 
 
-@dataclass(frozen=True, order=True)
-class TextPosition:
+class TextPosition(Struct, frozen=True, order=True):
     """A place in a text: the character, and which sentence and clause (as far as a comma) it lies in."""
 
     at: int
@@ -30,8 +30,7 @@ class TextPosition:
     clause: int = 0
 
 
-@dataclass(frozen=True)
-class Mention:
+class Mention(Struct, frozen=True):
     """A name in the text: its place, and the noun before it ("" where there is none)."""
 
     name: str
@@ -39,8 +38,7 @@ class Mention:
     noun: str = ""
 
 
-@dataclass(frozen=True)
-class Sense:
+class Sense(Struct, frozen=True):
     """A word for a sense in the text: its key (``faster``), the word itself, its place."""
 
     key: str
@@ -48,8 +46,7 @@ class Sense:
     place: TextPosition
 
 
-@dataclass(frozen=True)
-class PrintedNumber:
+class PrintedNumber(Struct, frozen=True):
     """A number with its unit: value in SI, what it measures, and as it is written."""
 
     value: float
@@ -57,8 +54,7 @@ class PrintedNumber:
     written: str
 
 
-@dataclass(frozen=True)
-class StatementReading:
+class StatementReading(Struct, frozen=True):
     """What a statement says in one language.
 
     ``mentions`` have the names of the family. ``data`` are the numbers by what is printed before them, in the list of

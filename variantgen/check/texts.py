@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from decimal import Decimal
+
+from msgspec.structs import replace
 
 from variantgen.check.cranks import wrong_cranks
 from variantgen.check.glossary import family_words

@@ -16,9 +16,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.algebra.expression import Constant, Expression
 from variantgen.check.answer_rates import CHANGE, AnswerRates, Numbers
@@ -39,8 +40,7 @@ _QUARTERS = 4
 _PLACES = 3  # that are named
 
 
-@dataclass(frozen=True)
-class Untold:
+class Untold(Struct, frozen=True):
     """A number that no sheet tells: its places, what is wrong, and whether something asked depends on it.
 
     If not, only something does that may be asked of the family.

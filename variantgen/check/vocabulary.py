@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cache
+
+from msgspec import Struct
 
 from variantgen.resources import templates_dir
 from variantgen.tables import read_toml
 
 
-@dataclass(frozen=True)
-class Vocabulary:
+class Vocabulary(Struct, frozen=True):
     """Patterns of a language: senses of motion and nouns by key, and what stands between a length and its number."""
 
     senses: Mapping[str, re.Pattern[str]]

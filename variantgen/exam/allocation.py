@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.exam.ceiling import within
@@ -23,8 +24,7 @@ from variantgen.variants.similarity import Traits, traits
 from variantgen.variants.variant import Variant
 
 
-@dataclass(frozen=True)
-class DrawRequest:
+class DrawRequest(Struct, frozen=True):
     """A problem of a student, by its place in the exam, and the attempts of the draw that are behind it."""
 
     student: Student
@@ -32,8 +32,7 @@ class DrawRequest:
     used: int = 0
 
 
-@dataclass(frozen=True)
-class HandedOutSheet:
+class HandedOutSheet(Struct, frozen=True):
     """A sheet that is handed out already: new ones are kept apart from it. It has a variant for every problem."""
 
     student: Student

@@ -9,8 +9,9 @@ in millimetres, from the upper left corner of A4, y down.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TypeVar
+
+from msgspec import Struct
 
 from variantgen.errors import InputError, Problem
 from variantgen.tables import Table
@@ -42,8 +43,7 @@ MARK_ROW, FIRST_ROW, ROW = 15.6, 20.4, 3.75
 LENGTH, RADIUS = 0.7, 1.45
 
 
-@dataclass(frozen=True)
-class Bubble:
+class Bubble(Struct, frozen=True):
     """A bubble of a block: ``column`` is that of the reading, ``value`` what it stands for in it.
 
     Columns are 0 for the minus (value 0), 1 to DIGITS for digits, DIGITS + 1 for the decimal mark, whose value is the

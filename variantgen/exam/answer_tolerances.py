@@ -13,10 +13,10 @@ variants are drawn.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
+from msgspec import Struct, field
 from numpy.typing import NDArray
 
 from variantgen.errors import InputError
@@ -47,8 +47,7 @@ _STEP = 0.001  # to which a tolerance above the floor is rounded up
 _USUAL = Tolerance()
 
 
-@dataclass
-class AnswerTolerances:
+class AnswerTolerances(Struct):
     """The tolerances of answers by an exam's ``tolerance``, and the screens of draws.
 
     What has been found for a variant that passed the screens is kept until :meth:`forget`.
@@ -171,8 +170,7 @@ def _sensitivity(variants: Sequence[Variant], asked: Sequence[Quantity], motion:
 _MISTAKES = "plausible mistakes outside the tolerance"
 
 
-@dataclass(frozen=True)
-class _WrongAnswers:
+class _WrongAnswers(Struct, frozen=True):
     """By mistake how far each answer is from the wrong one, shape (mistakes, answers, N)."""
 
     names: tuple[str, ...]
@@ -197,8 +195,7 @@ class _WrongAnswers:
         return [tuple(tuple(names) for names in own) for own in found]
 
 
-@dataclass(frozen=True)
-class ToleranceScreening:
+class ToleranceScreening(Struct, frozen=True):
     """A batch of attempts at a form with what mistakes make of their answers."""
 
     answer_tolerances: AnswerTolerances

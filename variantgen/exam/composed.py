@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
+
+from msgspec.structs import replace
 
 from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.exam.solution_figures import solution_figure_faults

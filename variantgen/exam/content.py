@@ -6,10 +6,12 @@ Statements, figures and solutions are made when an output first asks for them, o
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import repeat
 from typing import TYPE_CHECKING, NamedTuple
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.errors import InputError
 from variantgen.exam.exam_file import Exam
@@ -30,8 +32,7 @@ if TYPE_CHECKING:
     from variantgen.wording.solution.document import SolutionText
 
 
-@dataclass(frozen=True)
-class PosedProblem:
+class PosedProblem(Struct, frozen=True):
     """A problem as it stands on a sheet: what it says, in the language of the sheets, and its figure."""
 
     item: Item
@@ -39,8 +40,7 @@ class PosedProblem:
     figure: Drawing
 
 
-@dataclass(frozen=True)
-class SolvedProblem:
+class SolvedProblem(Struct, frozen=True):
     """A problem with its worked solution, in the language of the solutions.
 
     ``rows`` are the figures, first that of the statement; ``numbers`` are those of their kinds. ``explained`` is false

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, cast
+
+from msgspec import Struct, field
+from msgspec.structs import replace
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam import printable
@@ -38,8 +40,7 @@ from variantgen.wording.notation import USUAL, Notation, read_notation
 SCHEMA = 1
 
 
-@dataclass(frozen=True)
-class ExamProblem:
+class ExamProblem(Struct, frozen=True):
     """One problem of the exam: the families it is drawn from (one per student), asked quantities, points.
 
     ``methods`` are those of its solutions (none: the natural ones of the family). ``nice``: only hand-friendly
@@ -58,8 +59,7 @@ class ExamProblem:
     composed: bool = False
 
 
-@dataclass(frozen=True)
-class Exam:
+class Exam(Struct, frozen=True):
     """A checked exam file.
 
     ``duplex`` starts every student on an odd page, ``qr`` puts a QR code on every page of a sheet, ``reorder`` lets its

@@ -15,12 +15,13 @@ A file like this one, or the table ``[marking]`` of an exam file, with what diff
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from decimal import Decimal
 from fractions import Fraction
 from math import floor
 from pathlib import Path
 from typing import Any
+
+from msgspec import Struct, field
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.tables import Table, read_toml
@@ -33,8 +34,7 @@ CAUSES = (
 _MOST_POINTS = 1000
 
 
-@dataclass(frozen=True)
-class MarkingPolicy:
+class MarkingPolicy(Struct, frozen=True):
     """See the module; ``shares`` are fractions of an answer's points by cause, none where nothing is said.
 
     An answer that follows from wrong ones has all its points if nothing is said: a slip is paid for once.

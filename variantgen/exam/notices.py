@@ -7,8 +7,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Any
+
+from msgspec import Struct
 
 from variantgen.errors import nearest
 from variantgen.exam import printable
@@ -23,8 +24,7 @@ _INSTRUCTIONS = "instructions"
 _PARAGRAPH = re.compile(r"\n\s*\n")
 
 
-@dataclass(frozen=True)
-class Notices:
+class Notices(Struct, frozen=True):
     """What stands at the head of the sheets, in their language: ``facts`` by name, ``instructions`` by paragraph."""
 
     facts: tuple[tuple[str, Text], ...] = ()

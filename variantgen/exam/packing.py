@@ -13,10 +13,11 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import astuple
 from decimal import Decimal
 from math import isfinite
 from typing import Any
+
+from msgspec.structs import astuple
 
 from variantgen.errors import VariantgenError
 from variantgen.exam.exam_file import Exam

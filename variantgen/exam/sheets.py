@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, replace
 from decimal import Decimal
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.exam.tolerance import Tolerance, places_by_tolerance
@@ -28,8 +30,7 @@ if TYPE_CHECKING:
 _CODE_LETTERS = "23456789ACDEFGHJKLMNPQRTUVWXYZ"
 
 
-@dataclass(frozen=True, repr=False)
-class Answer:
+class Answer(Struct, frozen=True):
     """An answer in its printed unit, with the absolute tolerance in the same unit.
 
     ``relative_tolerance`` is that of an angle in radians, of a sense zero; ``unnoticed`` names the plausible mistakes
@@ -68,8 +69,7 @@ class Answer:
         return ((low, high),)
 
 
-@dataclass(frozen=True)
-class Item:
+class Item(Struct, frozen=True):
     """One problem of one student; ``work`` is that of its variant, where the exam wants fair ones."""
 
     task: ExamProblem
@@ -83,8 +83,7 @@ class Item:
         return [answer.quantity for answer in self.answers]
 
 
-@dataclass(frozen=True)
-class Sheet:
+class Sheet(Struct, frozen=True):
     """All problems of one student; ``code`` names the variant on paper."""
 
     student: Student

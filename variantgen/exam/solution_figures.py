@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from variantgen.exam.solution_paper import COLUMN, WIDTH
 from variantgen.families.quantities import Quantity, split_name
@@ -41,8 +42,7 @@ _POINTS = 72 / 25.4  # in a millimetre
 _BETWEEN = 4.0  # mm: figures in a row
 
 
-@dataclass(frozen=True)
-class SolutionFigure:
+class SolutionFigure(Struct, frozen=True):
     """A figure of a solution: its kind, the drawing, its caption and, for paper, millimetres per figure unit."""
 
     name: str

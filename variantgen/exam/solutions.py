@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from variantgen.methods.solution_options import DEPTHS
 from variantgen.tables import Table
@@ -12,8 +12,7 @@ NONE = "none"
 FILES = ("joined", "students")
 
 
-@dataclass(frozen=True)
-class Solutions:
+class Solutions(Struct, frozen=True):
     """``depth``: ``none``, ``answers``, ``short`` or ``full``; ``language`` of the solutions.
 
     ``files``: ``joined`` in one document, or with ``students`` also one document for each of them. ``true_scale``: no

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
 from decimal import Decimal
 from typing import Any
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.tables import Table
 
 LARGEST = 0.2
 
 
-@dataclass(frozen=True)
-class Tolerance:
+class Tolerance(Struct, frozen=True):
     """Relative tolerances of answers (of an angle in radians).
 
     ``floor``: the least one. ``ceiling``, if there is one: a variant on which what is asked would need more in a
@@ -26,6 +27,9 @@ class Tolerance:
     mistakes: bool = True
 
 
+_USUAL = Tolerance()
+
+
 def places_by_tolerance(tolerances: Iterable[Tolerance]) -> dict[Tolerance, list[int]]:
     """The indices of the problems that are marked by each tolerance."""
     found: dict[Tolerance, list[int]] = {}
@@ -34,7 +38,7 @@ def places_by_tolerance(tolerances: Iterable[Tolerance]) -> dict[Tolerance, list
     return found
 
 
-def read_tolerance(table: Table, usual: Tolerance = Tolerance()) -> Tolerance:
+def read_tolerance(table: Table, usual: Tolerance = _USUAL) -> Tolerance:
     """The key ``tolerance`` of an exam file, or of one of its problems: a number, the floor, or a table.
 
     What it does not say is as ``usual``; mistakes are noted in the table.

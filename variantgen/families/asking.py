@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
 from typing import Any
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.family import Family, Form
@@ -15,8 +17,7 @@ from variantgen.families.quantities import Quantity, in_unit, parse_quantity, sp
 WORDS = {"velocities": (1,), "accelerations": (2,), "all": (0, 1, 2)}
 
 
-@dataclass(frozen=True)
-class ByForm:
+class ByForm(Struct, frozen=True):
     """What is asked of each form, by its name; the others are asked what they ask by themselves."""
 
     forms: tuple[tuple[str, tuple[str, ...]], ...]

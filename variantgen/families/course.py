@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from decimal import Decimal
 from functools import cached_property
 from typing import Any, Protocol
 
 import numpy as np
+from msgspec import Struct
 from numpy.typing import NDArray
 
 from variantgen.families.parameters.expressions import FamilyExpression
@@ -18,8 +18,7 @@ from variantgen.mechanism.scene import Scene
 from variantgen.mechanism.turn.timed_places import TimedPlaces
 
 
-@dataclass(frozen=True)
-class Interval:
+class Interval(Struct, frozen=True):
     """An interval as a form states it: the parameter that is the instant, or with ``is_of_place`` the place, and both
     ends.
     """
@@ -30,8 +29,7 @@ class Interval:
     is_of_place: bool = False
 
 
-@dataclass(frozen=True)
-class FoundInstant:
+class FoundInstant(Struct, frozen=True):
     """What the instant of a problem is found by: when a law of time or a quantity first has a value in the interval.
 
     ``name`` is that of the law or of the quantity, ``value`` as it is written, in the unit of that name.
@@ -59,8 +57,7 @@ class MovingForm(Protocol):
         ...
 
 
-@dataclass(frozen=True)
-class FormInTime:
+class FormInTime(Struct, frozen=True):
     """The motion of variants of a form in its interval of time, from ``start`` to ``end`` (s).
 
     ``parameters`` are those of the instant of the problem, in SI, scalars or of shape (N,), ``time`` the name of the
@@ -94,8 +91,7 @@ class FormInTime:
         return FormInTime(self.form, self.time, parameters, frame, start, end)
 
 
-@dataclass(frozen=True)
-class FormByPlace:
+class FormByPlace(Struct, frozen=True, dict=True):
     """The motion of variants of a form while a parameter, the ``place``, goes from ``first`` to ``last`` (SI).
 
     Its velocity is a function of it; instants count from the beginning of the way. The rest is as in

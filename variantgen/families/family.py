@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Mapping
-from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from functools import cached_property
 from pathlib import Path
 from typing import Any
+
+from msgspec import Struct, field
 
 from variantgen.families.course import FormByPlace, FormInTime, FoundInstant, Interval
 from variantgen.families.figure_hints import FigureHints
@@ -26,11 +27,10 @@ from variantgen.mechanism.solving.structure import Plan, analyse
 TOOTHED_RACK = "toothed_rack"  # what a bar is called with which a gear is in mesh
 
 
-@dataclass(frozen=True)
-class ComponentTemplate:
+class ComponentTemplate(Struct, frozen=True):
     """A construction, joint or driver whose numbers are expressions."""
 
-    component: type
+    component: type[Struct]
     fields: Mapping[str, Any]
 
     def build(self, values: Mapping[str, Real]) -> Any:
@@ -53,8 +53,7 @@ def _built(item: Any, values: Mapping[str, Real]) -> Any:
     return item
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class Form:
+class Form(Struct, frozen=True, eq=False, dict=True):
     """One arrangement of a family (driven by the crank, by the rocker, ...): everything that a variant needs.
 
     A form is itself and equal to no other, so that what follows from it alone can be remembered by it.
@@ -119,10 +118,6 @@ class Form:
     def remembered(self) -> dict[Hashable, Any]:
         """What other parts of the program have worked out from this form alone, by keys of their own."""
         return {}
-
-    def __getstate__(self) -> dict[str, Any]:
-        # What is remembered stays in its process: it can be worked out again, and is larger than the form.
-        return {name: value for name, value in vars(self).items() if name != "remembered"}
 
     @cached_property
     def of_accelerations_alone(self) -> frozenset[str]:
@@ -197,8 +192,7 @@ class Form:
         return sorted(name for name, p in self.parameters.items() if not p.silent and name not in tied)
 
 
-@dataclass(frozen=True, repr=False)
-class Family:
+class Family(Struct, frozen=True):
     """A parametrised problem: its forms, its titles per language, the unit of lengths, and where its files are.
 
     ``names`` are the names of points, bodies and printed parameters of all its forms, which its templates may use;

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from variantgen.families.parameters.expressions import FamilyExpression
 
 
-@dataclass(frozen=True)
-class AngleMark:
+class AngleMark(Struct, frozen=True):
     """An angle to be drawn: at a point, from a ray to a ray; a ray leads to a point or in a direction."""
 
     name: str
@@ -17,8 +16,7 @@ class AngleMark:
     end: str
 
 
-@dataclass(frozen=True)
-class RightAngle:
+class RightAngle(Struct, frozen=True):
     """A right angle to be marked by a small square: at a point, between two rays (see :class:`AngleMark`)."""
 
     at: str
@@ -26,8 +24,7 @@ class RightAngle:
     end: str
 
 
-@dataclass(frozen=True)
-class LengthMark:
+class LengthMark(Struct, frozen=True):
     """A length to be drawn as a dimension line between two points."""
 
     name: str
@@ -35,8 +32,7 @@ class LengthMark:
     end: str
 
 
-@dataclass(frozen=True)
-class DiscMark:
+class DiscMark(Struct, frozen=True):
     """A circle to be drawn about a point; ``name`` is the parameter of its radius, ``radius`` its value.
 
     ``label`` is written into it (a gear's number; by default the symbol of its body). ``arc``: the circle is drawn as
@@ -51,8 +47,7 @@ class DiscMark:
     arc: bool = False
 
 
-@dataclass(frozen=True)
-class FigureHints:
+class FigureHints(Struct, frozen=True):
     """What the drawing cannot know from the scene.
 
     ``angles``, ``lengths``, ``discs`` with their names; ``hidden`` points; ``plates``: bodies drawn as polygons;

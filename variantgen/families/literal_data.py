@@ -9,9 +9,11 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.families.family import ComponentTemplate, Form
 from variantgen.families.parameters.expressions import FamilyExpression
@@ -35,8 +37,7 @@ _LEVEL = 1e-9  # rad
 _SAME = 1e-9  # relative difference of radii that are one
 
 
-@dataclass(frozen=True)
-class LiteralDatum:
+class LiteralDatum(Struct, frozen=True):
     """A number of a scene: its ``kind``, the ``name`` it is known by, what it measures.
 
     Kinds: ``place`` of a point, ``x`` or ``y`` of one in a guide, ``length`` and ``angle`` of the line of two

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import replace
 from decimal import Decimal
 from typing import Any
+
+from msgspec.structs import replace
 
 from variantgen.families.family import ComponentTemplate, Form
 from variantgen.families.parameters.expressions import FamilyExpression, parse

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.parameters.units import parse_value, unit
@@ -11,8 +11,7 @@ from variantgen.tables import Table
 LIMITS = {"length": "m", "speed": "m/s", "acceleration": "m/s^2", "omega": "rad/s", "epsilon": "rad/s^2"}
 
 
-@dataclass(frozen=True)
-class Machine:
+class Machine(Struct, frozen=True):
     """Largest plausible values of a size class, in SI.
 
     ``length`` of the whole drawing (m), ``speed`` (m/s) and ``acceleration`` (m/s^2) of any point that is drawn,

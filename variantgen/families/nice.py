@@ -7,9 +7,10 @@ table names other grids (sides of right triangles, say) and comparisons, so that
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from decimal import Decimal
 from typing import Any
+
+from msgspec.structs import replace
 
 from variantgen.errors import Problem, nearest
 from variantgen.families.family import Family, Form

@@ -7,10 +7,11 @@ crossings of the grid, so that nothing has to be estimated.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from decimal import Decimal
 from itertools import product
 from math import gcd
+
+from msgspec.structs import replace
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.family import Family, Form

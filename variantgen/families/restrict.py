@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
 from decimal import Decimal
 from functools import lru_cache
 from typing import Any
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.family import Family, Form
@@ -68,19 +69,24 @@ def _plain(value: Any) -> Any:
     return value.item() if isinstance(value, np.generic) else value
 
 
-@dataclass(frozen=True)
-class _Narrowing:
+class _Narrowing(Struct, frozen=True):
     """How a family is to be narrowed; two narrowings are equal if they say the same of the same family."""
 
     number: int
     key: str
-    family: Family = field(compare=False)
-    fixed: Mapping[str, Any] = field(compare=False)
-    ranges: Mapping[str, Any] = field(compare=False)
-    forms: tuple[str, ...] = field(compare=False)
-    nice: bool = field(compare=False)
-    beyond: bool = field(compare=False)
-    units: str = field(compare=False)
+    family: Family
+    fixed: Mapping[str, Any]
+    ranges: Mapping[str, Any]
+    forms: tuple[str, ...]
+    nice: bool
+    beyond: bool
+    units: str
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Narrowing) and (self.number, self.key) == (other.number, other.key)
+
+    def __hash__(self) -> int:
+        return hash((self.number, self.key))
 
 
 @lru_cache(maxsize=64)

@@ -7,6 +7,8 @@ from collections.abc import Callable
 from decimal import Decimal
 from typing import Any
 
+from msgspec import Struct
+
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.family import ComponentTemplate
 from variantgen.families.parameters.expressions import FamilyExpression, number
@@ -62,7 +64,7 @@ class TemplateReader:
                 found[name] = found[other]
         return {name: found[name] for name in table.data if name in found}
 
-    def _fields(self, table: Table, component: type) -> ComponentTemplate:
+    def _fields(self, table: Table, component: type[Struct]) -> ComponentTemplate:
         specs = field_specs(component)
         table.expect(*(spec.name for spec in specs))
         fields: dict[str, Any] = {}

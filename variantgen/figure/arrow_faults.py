@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import combinations, pairwise
 
 import numpy as np
+from msgspec import Struct
 
 from variantgen.figure.drawing import BOLD, MEDIUM, THIN, Arc, Drawing, Layer, Line, Path, RotationArc, Strokes
 from variantgen.figure.ink import segments_of
@@ -29,8 +29,7 @@ _SAMPLES = np.linspace(0.0, 1.0, 41)
 Shaft = tuple[complex, complex]
 
 
-@dataclass(frozen=True)
-class ArrowInspection:
+class ArrowInspection(Struct, frozen=True):
     """The faults of the arrows of a figure, each with the names or places of what has it.
 
     ``crossed``: arrows of motion over links, rims, threads, supports or other arrows; ``doubled``: two opposite arrows

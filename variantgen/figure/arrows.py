@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
+from msgspec import Struct
 from numpy.typing import NDArray
 
 from variantgen.figure.board import Board
@@ -52,8 +52,7 @@ _CROSSED, _ON_LINE, _WALL, _DOUBLE, _IN_LINE, _COVERED, _BESIDE, _OFF_DISC, _TAI
 _ASIDE, _ALONG, _SLID, _SHORT = 0.3, 0.4, 0.08, np.array([0.0, 1.5, 4.0])
 
 
-@dataclass(frozen=True)
-class _Wanted:
+class _Wanted(Struct, frozen=True):
     """An arrow that is wanted: a place, its direction (unit), its length, where it begins if it begins there (u).
 
     ``root`` is the part that may lie on what meets at the place, ``letters`` width and height of its symbol.

@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from copy import copy
-from dataclasses import dataclass, field
 from typing import Self
+
+from msgspec import Struct, field
 
 from variantgen.families.family import TOOTHED_RACK, Form
 from variantgen.families.literal_data import rate_name
@@ -20,8 +21,7 @@ from variantgen.wording.formula import Symbol
 from variantgen.wording.language import Language
 
 
-@dataclass
-class Board:
+class Board(Struct):
     """The drawing board of one figure.
 
     ``linkage`` has the numbers of one variant (scalars), ``shown`` are its named points, ``given`` the parameters that

@@ -5,9 +5,11 @@ from __future__ import annotations
 import importlib
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
 from functools import cache, cached_property, partial
 from types import MappingProxyType, ModuleType
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.hints import DIRECTIONS
@@ -78,8 +80,7 @@ def finished(board: Board) -> Drawing:
     return board.sketch.finish(board.draft().named)
 
 
-@dataclass(frozen=True)
-class Mechanism:
+class Mechanism(Struct, frozen=True, dict=True):
     """A variant of a solved batch, what is asked of it and in which language: what all its figures have in common."""
 
     variant: Variant

@@ -8,10 +8,11 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 from enum import IntEnum
 from functools import cached_property
 from typing import NamedTuple, TypeAlias
+
+from msgspec import Struct, field
 
 from variantgen.wording.formula import Formula, Symbol
 
@@ -113,8 +114,7 @@ class RotationArc(NamedTuple):
     rims: tuple[float, ...] = ()
 
 
-@dataclass(frozen=True)
-class Drawing:
+class Drawing(Struct, frozen=True, dict=True):
     """A finished figure: width and height in u, lines back to front, labels; ``tell`` makes its alternative text.
 
     A place z (m) on paper is drawn at ``scale * z + origin``. ``language`` is that of the words. ``beyond`` are the
@@ -128,7 +128,7 @@ class Drawing:
     height: float
     lines: tuple[Line, ...]
     labels: tuple[Label, ...]
-    tell: Callable[[], str] = field(default=str, compare=False)
+    tell: Callable[[], str] = str
     scale: float = 1.0
     origin: complex = 0j
     language: str = "en"
@@ -137,7 +137,17 @@ class Drawing:
     doubtful: bool = True
     rotations: tuple[RotationArc, ...] = ()
     graphs: float = 0.0
-    poses: Mapping[str, float] = field(default_factory=dict, compare=False)
+    poses: Mapping[str, float] = field(default_factory=dict)
+
+    @property
+    def _seen(self) -> tuple[object, ...]:
+        return tuple(getattr(self, name) for name in self.__struct_fields__ if name not in {"tell", "poses"})
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Drawing) and self._seen == other._seen
+
+    def __hash__(self) -> int:
+        return hash(self._seen)
 
     @cached_property
     def alt(self) -> str:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from itertools import combinations, pairwise
 
 import numpy as np
+from msgspec import Struct
 
 from variantgen.figure.drawing import Arc, Drawing, Label, Layer, Line, Path
 from variantgen.figure.ink import boxes_crossed_by, gaps_to_box, segments_of, spans_of
@@ -19,8 +19,7 @@ _COVERED, _OTHER_PLACE = 1.6, 3.0  # how near to a tip nothing else is to lie; b
 WIDEST, HIGHEST = 108.0, 106.0  # limits of a figure, u
 
 
-@dataclass(frozen=True)
-class Inspection:
+class Inspection(Struct, frozen=True):
     """The labels of a figure: which cover what, how many have a leader, and the smallest free space around one (u)."""
 
     overlaps: tuple[tuple[str, str], ...]

@@ -9,10 +9,11 @@ from __future__ import annotations
 
 import json
 import re
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
+
+from msgspec import Struct
 
 TABLE = Path(__file__).with_name("glyphs.json")
 STRETCHED = "s"  # kind of a sign in one of its sizes
@@ -22,8 +23,7 @@ _STEP = re.compile(r"([mlcz])([^mlcz]*)")
 _NUMBER = re.compile(r"-?\d+")
 
 
-@dataclass(frozen=True)
-class Glyph:
+class Glyph(Struct, frozen=True):
     """One letter (em): ``width`` with its slant, ``index_at`` where an index begins, ``path`` in SVG terms.
 
     In a word the next letter begins at ``advance``.

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
 from decimal import Decimal
 from typing import TypeAlias
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.parameters.units import unit
@@ -39,8 +40,7 @@ _BEYOND, _HEAD = 4.0, 2.2  # u: of an axis beyond its grid, and its head
 _Parts: TypeAlias = tuple[list[Line], list[Label]]
 
 
-@dataclass(frozen=True)
-class TurnCurve:
+class TurnCurve(Struct, frozen=True):
     """A quantity over a turn, shape (K,) in its printed unit: what a grid is made for."""
 
     quantity: Quantity
@@ -63,8 +63,7 @@ def turn_curve(variant: Variant, name: str, language: Language) -> TurnCurve:
     return TurnCurve(quantity, own.from_si(found), symbol, own.name)
 
 
-@dataclass(frozen=True)
-class _Axis:
+class _Axis(Struct, frozen=True):
     """From ``low`` to ``high`` on so much paper (u), with a line each ``step``, each ``every``-th with its number."""
 
     low: Decimal

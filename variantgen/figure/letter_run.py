@@ -6,9 +6,11 @@ The constants are those of the OpenType math table of New Computer Modern Math. 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 from typing import NamedTuple
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.figure.glyphs import STRETCHED, Glyph, glyph, has_glyph, kerning
 from variantgen.wording.formula import GREEK, Index, letters
@@ -23,8 +25,7 @@ _NEAR = 1e-9  # what rounding leaves
 UNKNOWN = "0u"  # the name of what stands for a letter that the table does not have: a degree sign
 
 
-@dataclass(frozen=True, eq=False)
-class Letters:
+class Letters(Struct, frozen=True, eq=False):
     """Letters of one style that follow each other as the engine spaces them: glyphs and places from the first one.
 
     Made once and set in many formulas.

@@ -8,8 +8,9 @@ the lettering of the figure.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
+
+from msgspec import Struct
 
 from variantgen.figure.drawing import LETTER, Label
 from variantgen.figure.glyphs import Glyph
@@ -45,8 +46,7 @@ _THIN, _AROUND_EQUALS, _AROUND_SIGN = 1 / 6, 5 / 18, 2 / 9
 ARROWS = {"v": 0.558, "a": 0.551, "r": 0.511, "omega": 0.609}  # where the arrow above a letter stands
 
 
-@dataclass(frozen=True)
-class Lettering:
+class Lettering(Struct, frozen=True):
     """A set formula: its letters and bars, its width, and the bounds of its ink above the baseline (em)."""
 
     letters: tuple[PlacedLetters, ...]

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.errors import InputError
 from variantgen.families.quantities import Quantity
@@ -29,8 +30,7 @@ _BESIDE = 4.6  # between a moving point and its name, u
 _SAME = 1e-4  # distance below which two places are the same, u
 
 
-@dataclass(frozen=True)
-class Paper:
+class Paper(Struct, frozen=True):
     """Where a point in metres lies: ``scale * z + shift`` (u)."""
 
     scale: float
@@ -41,8 +41,7 @@ class Paper:
         return np.asarray(self.scale * z + self.shift)
 
 
-@dataclass(frozen=True)
-class Moving:
+class Moving(Struct, frozen=True, dict=True):
     """The figures of a variant in the positions of a batch ``motion``; ``asked`` decides which points have names."""
 
     variant: Variant

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias
 
 import numpy as np
+from msgspec import Struct, field
+from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from variantgen.figure.drawing import Arc, Path
@@ -16,8 +17,7 @@ Outline: TypeAlias = Path | Arc | Sequence[complex]
 _SAGITTA = 0.12  # of the chords that stand for an arc, u
 
 
-@dataclass
-class Obstacles:
+class Obstacles(Struct):
     """The segments of all lines of a sketch, in the order in which they were drawn; made when they are asked for."""
 
     _new: list[tuple[Outline, float]] = field(default_factory=list)  # with the weights of the lines, u

@@ -5,10 +5,11 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
 import numpy as np
+from msgspec import Struct, field
+from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Drawing, Label, Layer, Line, Path, RotationArc, Strokes
@@ -44,8 +45,7 @@ class RoundWall(NamedTuple):
     outside: bool
 
 
-@dataclass
-class Sketch:
+class Sketch(Struct):
     """The drawing board. ``at`` holds positions of points in u; ``scale`` is u per metre.
 
     ``beyond`` collects the letters of points that lie outside the paper, though lines lead to them; ``lengthened``

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
 from pathlib import Path
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam.allocation import HandedOutSheet
@@ -15,8 +17,7 @@ from variantgen.exam.student_order import in_order
 from variantgen.finished.restore import restore
 
 
-@dataclass(frozen=True)
-class Changes:
+class Changes(Struct, frozen=True):
     """A class against earlier builds: who is ``new``, who is ``gone``, whose id another name or group had.
 
     ``changed`` has pairs: who it was, who it is.

@@ -10,8 +10,10 @@ from __future__ import annotations
 import os
 import shutil
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
-from dataclasses import dataclass, replace
 from pathlib import Path
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam.content import Content
@@ -31,8 +33,7 @@ _AT_ONCE = 512  # students whose answers are computed together
 _SHOWN = 3
 
 
-@dataclass(frozen=True)
-class RekeyResult:
+class RekeyResult(Struct, frozen=True):
     """A new key: the number of answers, of those with another tolerance, the files made again, messages."""
 
     answers: int

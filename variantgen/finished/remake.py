@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import io
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from pathlib import Path
+
+from msgspec import Struct
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam.content import Content
@@ -25,8 +26,7 @@ from variantgen.outputs.typst.typesetter import Typesetter
 SHEETS, SOLUTIONS = "sheets", "solutions"
 
 
-@dataclass(frozen=True)
-class RemadeDocument:
+class RemadeDocument(Struct, frozen=True):
     """A document of a student made again.
 
     ``same`` tells with what in the folder it is identical, ``faults`` say what differs; both are empty where there is

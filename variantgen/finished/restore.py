@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
 from decimal import Decimal, InvalidOperation
 from functools import cached_property, lru_cache
 from pathlib import Path
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam.exam_file import Exam, ExamProblem, with_floors
@@ -21,8 +23,7 @@ from variantgen.variants.variant import Variant
 _KEPT = 1000  # students whose variants are kept
 
 
-@dataclass(frozen=True)
-class Finished:
+class Finished(Struct, frozen=True, dict=True):
     """A finished exam. ``differences`` say what it was made with and is not as it was then."""
 
     record: Manifest
@@ -95,7 +96,7 @@ def restore(record: Manifest, folders: tuple[Path, ...]) -> Finished:
         folders = (*folders, folder_of(record.composed))
     exam = parse_exam(record.exam_text, record.path.with_name("exam.toml"), folders)
     options: Mapping[str, str] = record.solutions or {"depth": NONE}
-    known = {name: value for name, value in options.items() if name in Solutions.__dataclass_fields__}
+    known = {name: value for name, value in options.items() if name in Solutions.__struct_fields__}
     exam = replace(
         exam,
         seed=record.seed,

@@ -9,11 +9,12 @@ from __future__ import annotations
 import csv
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
 from itertools import islice, tee, zip_longest
 from pathlib import Path
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.exam.manifest import NAME, Manifest, RecordedAnswer, RecordedProblem, RecordedSheet
 from variantgen.families.asking import read_ask
@@ -32,8 +33,7 @@ _RELATIVE, _OF_LARGEST = 1e-6, 1e-7
 _AT_ONCE = 512  # students whose motions are in memory together
 
 
-@dataclass(frozen=True)
-class VerificationReport:
+class VerificationReport(Struct, frozen=True):
     """The result of a verification: answers computed again, largest relative difference, faults in words.
 
     ``edited`` are the files that were changed since the build and are there to be edited: no fault.

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
+
+from msgspec import Struct, field
 
 from variantgen.exam.manifest import Manifest
 from variantgen.methods.hand.work import Work
@@ -18,8 +19,7 @@ _WIDTH, _HEIGHT = 420, 60  # of a plot, in pixels
 _BARS = 42  # most bars of a plot
 
 
-@dataclass(frozen=True)
-class WorkReport:
+class WorkReport(Struct, frozen=True):
     """The variants by problem, family and form: how many take so many calculations, operations, ...
 
     ``sheets`` has the calculations of whole sheets, of those on which all problems have their work recorded.

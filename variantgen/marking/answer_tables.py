@@ -14,8 +14,9 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
+
+from msgspec import Struct
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam.roster.columns import cell_of
@@ -30,8 +31,7 @@ _PROBLEM = re.compile(r"[0-9]{1,3}")
 _STUDENT = ("code", "id", "name", "student", "surname", "first")
 
 
-@dataclass(frozen=True)
-class HandedIn:
+class HandedIn(Struct, frozen=True):
     """An answer as it was handed in: ``who`` has what the row says of the student, ``where`` names the row.
 
     ``quantity`` is the name that the table has, or the place of the answer in a form. ``sheet`` is the code of the
@@ -48,8 +48,7 @@ class HandedIn:
     waiting: bool = False
 
 
-@dataclass(frozen=True)
-class NotMatched:
+class NotMatched(Struct, frozen=True):
     """What could not be read or matched: where it stands, what it says, why, and what to do.
 
     ``names_student``: what it says may name a student.
@@ -62,8 +61,7 @@ class NotMatched:
     names_student: bool = False
 
 
-@dataclass(frozen=True)
-class ReadAnswers:
+class ReadAnswers(Struct, frozen=True):
     """What the files hold: answers in their order, and rows and columns that say nothing that is understood.
 
     ``corrections`` are points that somebody gave or took by hand in a form, each with the problem it is about.

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from variantgen.exam.roster.columns import cell_of
 from variantgen.outputs.platforms.reference import Reference, reference_in
@@ -24,8 +25,7 @@ NO_TEXTS = (
 Kind = Callable[[str], str]  # what a column holds, by the word in its head
 
 
-@dataclass(frozen=True)
-class Attempted:
+class Attempted(Struct, frozen=True):
     """An answer of a report: the question it was asked by, a quantity or the place in a problem, what was written.
 
     ``question`` is None where the program has not made it, ``quantity`` '' where a response has no parts.
@@ -36,8 +36,7 @@ class Attempted:
     text: str
 
 
-@dataclass(frozen=True)
-class AttemptReport:
+class AttemptReport(Struct, frozen=True):
     """The columns of a report: who a row is about, and how its answers are read."""
 
     who: Mapping[str, int]

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import csv
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
+
+from msgspec import Struct
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam.manifest import Manifest
@@ -20,8 +21,7 @@ Entry = tuple[str, str]  # verdict (of a sum its grade), points
 Earlier = Mapping[tuple[str, str], Entry]  # by the code of the sheet and the answer, '' for the sum
 
 
-@dataclass(frozen=True)
-class Change:
+class Change(Struct, frozen=True):
     """A mark that is another one: of an answer (``1.v_B``) or, where that is '', of the sum."""
 
     place: int

@@ -11,11 +11,11 @@ from __future__ import annotations
 
 from collections import Counter, defaultdict
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import combinations
 from math import exp, fsum, lgamma
 
 import numpy as np
+from msgspec import Struct
 from numpy.typing import NDArray
 
 from variantgen.marking.diagnosis.causes import OTHER, Cause
@@ -30,8 +30,7 @@ _UNLIKELY = 0.01
 _ALIKE = 1e-7  # relative difference of probabilities that are the same but for rounding
 
 
-@dataclass(frozen=True)
-class AnswerFacts:
+class AnswerFacts(Struct, frozen=True):
     """An answer of a problem: how many students were asked for it, how many verdicts of each kind, its share."""
 
     quantity: str
@@ -40,8 +39,7 @@ class AnswerFacts:
     share: float
 
 
-@dataclass(frozen=True)
-class ProblemFacts:
+class ProblemFacts(Struct, frozen=True):
     """A problem, or one form of it (then ``form`` is its name): students, share, discrimination (None: no number).
 
     ``causes`` are the commonest causes of wrong answers with how often they were met.
@@ -56,8 +54,7 @@ class ProblemFacts:
     causes: tuple[tuple[Cause, int], ...]
 
 
-@dataclass(frozen=True)
-class Uneven:
+class Uneven(Struct, frozen=True):
     """An answer that was right more often in one form than in another: how often in each, and Fisher's probability."""
 
     number: int
@@ -67,8 +64,7 @@ class Uneven:
     probability: float
 
 
-@dataclass(frozen=True)
-class Advice:
+class Advice(Struct, frozen=True):
     """What should be looked at: ``strike`` or ``teach``; of a problem ('' for the quantity) or an answer, and why."""
 
     kind: str
@@ -77,8 +73,7 @@ class Advice:
     cause: Cause | None = None
 
 
-@dataclass(frozen=True)
-class ClassFacts:
+class ClassFacts(Struct, frozen=True):
     """All problems, their forms, and by problem the probability that forms of equal difficulty differ as much."""
 
     students: int

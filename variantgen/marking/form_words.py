@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from variantgen.exam.exam_file import Exam
 
 
-@dataclass(frozen=True)
-class FormWords:
+class FormWords(Struct, frozen=True):
     """The words by which the form for marking is known: heads of its first columns, of the column that says what is
     asked, of the last column of each problem; and the numbers of the problems in their order.
     """

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
+
+from msgspec.structs import replace
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.exam.roster.worksheet import Worksheet

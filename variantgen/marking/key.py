@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from decimal import Decimal
 from functools import cached_property
+
+from msgspec import Struct
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.exam.manifest import Manifest, RecordedProblem
@@ -17,8 +18,7 @@ from variantgen.families.quantities import split_name
 _DIRECTIONLESS = Decimal(10) ** 15  # degrees: so large a number has no digits left that tell a direction
 
 
-@dataclass(frozen=True)
-class Key:
+class Key(Struct, frozen=True, dict=True):
     """The key of a class; ``widening`` multiplies all tolerances."""
 
     record: Manifest

@@ -6,9 +6,11 @@ import math
 import re
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
 from enum import Enum
 from fractions import Fraction
+
+from msgspec import Struct, field
+from msgspec.structs import replace
 
 from variantgen.exam.marking_policy import MarkingPolicy
 from variantgen.exam.roster import Student
@@ -39,8 +41,7 @@ class Verdict(Enum):
     UNREADABLE = "unreadable"
 
 
-@dataclass(frozen=True)
-class MarkedAnswer:
+class MarkedAnswer(Struct, frozen=True):
     """One answer: what was written, what it is in the unit of the key, the verdict, the cause, the points of it.
 
     It is ``waiting`` while a person has to look at the scan that it is on.
@@ -59,8 +60,7 @@ class MarkedAnswer:
     waiting: bool = False
 
 
-@dataclass(frozen=True)
-class StudentTotal:
+class StudentTotal(Struct, frozen=True):
     """The sum of a student: points of each problem by number, of all, the most, the grade, answers handed in.
 
     While answers are ``open``, which a person still has to look at, it is not final. ``by_hand`` are points given or
@@ -78,8 +78,7 @@ class StudentTotal:
     by_hand: Mapping[int, Fraction] = field(default_factory=dict)
 
 
-@dataclass(frozen=True)
-class Marked:
+class Marked(Struct, frozen=True):
     """The marks of a class in the order of the manifest, the sums, and what could not be matched."""
 
     marks: tuple[MarkedAnswer, ...]

@@ -7,10 +7,11 @@ apostrophe.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from fractions import Fraction
 from functools import lru_cache
 from pathlib import Path
+
+from msgspec.structs import replace
 
 from variantgen.exam.manifest import Manifest
 from variantgen.marking.answer_tables import NotMatched

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass
 from functools import cache
+
+from msgspec import Struct
 
 from variantgen.families.parameters.units import UNITS, Unit, usual_name
 from variantgen.resources import languages
@@ -46,8 +47,7 @@ _BRACKETED = re.compile(r"([^()]*\d)\s*\(([^()\d][^()]*)\)")
 _TOKEN = re.compile(rf"\s*(?:({_PLAIN.pattern})(?:[eE]([+-]?\d{{1,3}})(?![\d.]))?|(sqrt|√|pi|π|[-+*/^()]))")
 
 
-@dataclass(frozen=True)
-class TypedNumber:
+class TypedNumber(Struct, frozen=True):
     """A number as it was written: its possible readings, and the unit behind it (None where there is none)."""
 
     values: tuple[float, ...]

@@ -1,6 +1,6 @@
 """What constructions, joints and drivers have in common: typed fields that a family file can fill.
 
-A component is a frozen dataclass in a module of its own; the module's name is its kind. The annotations of its
+A component is a frozen Struct in a module of its own; the module's name is its kind. The annotations of its
 fields say what a family file may write there, so that reading, checking and documenting need no second table.
 """
 
@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import importlib
 import pkgutil
-from dataclasses import MISSING, fields, is_dataclass
 from functools import cache
 from types import ModuleType
 from typing import Annotated, Any, TypeAlias, get_args, get_origin, get_type_hints
+
+from msgspec import Struct
 
 from variantgen.mechanism.arithmetic import Real
 
@@ -100,10 +101,11 @@ def _leaves(hint: Any) -> list[Any]:
     return [leaf for part in get_args(hint) for leaf in _leaves(part)]
 
 
-def _part(hint: Any) -> type | None:
-    """The dataclass of which a field holds a list, if it does: ``tuple[Bend, ...]``."""
+def _part(hint: Any) -> type[Struct] | None:
+    """The Struct of which a field holds a list, if it does: ``tuple[Bend, ...]``."""
     inner = get_args(hint)
-    return inner[0] if get_origin(hint) is tuple and is_dataclass(inner[0]) and isinstance(inner[0], type) else None
+    is_part = get_origin(hint) is tuple and isinstance(inner[0], type) and issubclass(inner[0], Struct)
+    return inner[0] if is_part else None
 
 
 def parts(component: Any) -> list[Any]:
@@ -114,24 +116,25 @@ def parts(component: Any) -> list[Any]:
 
 
 @cache
-def field_specs(component: type) -> tuple[FieldSpec, ...]:
+def field_specs(component: type[Struct]) -> tuple[FieldSpec, ...]:
     """The fields of a component class, in order, with their meaning read from the annotations."""
     hints = get_type_hints(component, include_extras=True)
+    names = component.__struct_fields__
     return tuple(
-        FieldSpec(f.name, hints[f.name], f.default is MISSING and f.default_factory is MISSING)
-        for f in fields(component)
+        FieldSpec(name, hints[name], place < len(names) - len(component.__struct_defaults__))
+        for place, name in enumerate(names)
     )
 
 
 @cache
-def discover(package: str) -> dict[str, type]:
+def discover(package: str) -> dict[str, type[Struct]]:
     """Component classes of a package, by kind (= module name), in alphabetical order.
 
-    Every public module of the package defines exactly one public dataclass (besides the parts it is made of); there is
+    Every public module of the package defines exactly one public Struct (besides the parts it is made of); there is
     no list to edit. Raises TypeError for a module without one, or with several.
     """
     home: ModuleType = importlib.import_module(package)
-    found: dict[str, type] = {}
+    found: dict[str, type[Struct]] = {}
     for info in sorted(pkgutil.iter_modules(home.__path__), key=lambda info: info.name):
         if info.name.startswith("_"):
             continue
@@ -139,13 +142,14 @@ def discover(package: str) -> dict[str, type]:
         own = [
             item
             for name, item in vars(module).items()
-            if is_dataclass(item)
-            and isinstance(item, type)
+            if isinstance(item, type)
+            and issubclass(item, Struct)
             and not name.startswith("_")
             and item.__module__ == module.__name__
         ]
-        own = [item for item in own if item not in {spec.part for other in own for spec in field_specs(other)}]
+        if len(own) > 1:
+            own = [item for item in own if item not in {spec.part for other in own for spec in field_specs(other)}]
         if len(own) != 1:
-            raise TypeError(f"{module.__name__} must define exactly one public dataclass, not {len(own)}")
+            raise TypeError(f"{module.__name__} must define exactly one public Struct, not {len(own)}")
         found[info.name] = own[0]
     return found

@@ -7,10 +7,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
+from msgspec.structs import replace
 
 from variantgen.errors import Problem
 from variantgen.mechanism.arithmetic import Complex, Real, cross, dot, unit_towards

@@ -7,10 +7,10 @@ accuracy report do not: they work with the equations of joints alone.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from msgspec import Struct
 
 from variantgen.mechanism.arithmetic import cross
 from variantgen.mechanism.joints.slot import Slot
@@ -20,8 +20,7 @@ from variantgen.mechanism.scene import Scene, fixed_points
 _ASLANT = 1e-6  # sine of the angle of a rope with a guide: less is rounding
 
 
-@dataclass(frozen=True)
-class Linkage:
+class Linkage(Struct, frozen=True, dict=True):
     """The reading of a scene; it depends on names and joints, but for the directions of guides not on numbers."""
 
     scene: Scene

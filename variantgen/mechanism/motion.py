@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, is_dataclass, replace
 from functools import partial
 from typing import Any
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from variantgen.mechanism.rows import Frame
@@ -18,8 +19,7 @@ Field = NDArray[np.float64]
 ComplexField = NDArray[np.complex128]
 
 
-@dataclass(frozen=True, repr=False)
-class Motion:
+class Motion(Struct, frozen=True):
     """Positions, velocities and accelerations of points and bodies; every array has shape (N,).
 
     ``z`` (m), ``v`` (m/s), ``a`` (m/s^2) by point; ``omega`` (rad/s), ``epsilon`` (rad/s^2) by body, positive
@@ -132,10 +132,11 @@ def take_scene(scene: Scene, index: NDArray[Any] | int, size: int) -> Scene:
 def _cut(item: Any, index: NDArray[Any] | int, size: int) -> Any:
     """A part of a scene with the chosen variants only."""
     changes: dict[str, Any] = {}
-    for name, value in vars(item).items():
+    for name in item.__struct_fields__:
+        value = getattr(item, name)
         if isinstance(value, np.ndarray):
             if value.shape == (size,):
                 changes[name] = value[index]
-        elif isinstance(value, tuple) and value and is_dataclass(value[0]):
+        elif isinstance(value, tuple) and value and isinstance(value[0], Struct):
             changes[name] = tuple(_cut(part, index, size) for part in value)
-    return type(item)(**(vars(item) | changes)) if changes else item
+    return replace(item, **changes) if changes else item

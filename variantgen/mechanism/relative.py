@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.motion import ComplexField, Motion
 from variantgen.mechanism.scene import Scene
 
 
-@dataclass(frozen=True)
-class RelativeMotion:
+class RelativeMotion(Struct, frozen=True):
     """Motion of a point relative to a body, shape (N,) each: ``a = a_transport + relative + coriolis``.
 
     ``velocity`` ``v_rel = v - v_transport`` (m/s); ``acceleration`` ``a_rel`` (m/s^2); ``coriolis``

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass
 
 import numpy as np
+from msgspec import Struct
 
 from variantgen.mechanism.arithmetic import Complex, dot
 from variantgen.mechanism.joints.rope import Bend, Rope
@@ -15,8 +15,7 @@ from variantgen.mechanism.rows import Placement
 from variantgen.mechanism.scene import Scene
 
 
-@dataclass(frozen=True)
-class RopeWay:
+class RopeWay(Struct, frozen=True):
     """The way from an end of a rope to one of its pieces: the bends passed, the end first.
 
     ``pieces`` are the numbers of the straight pieces on it, ``sense`` is -1 where it leads from the last bend.
@@ -38,8 +37,7 @@ class RopeWay:
         return float(-self.sense * at.frame.sense * end.side * end.radius)
 
 
-@dataclass(frozen=True)
-class RopePiece:
+class RopePiece(Struct, frozen=True):
     """The straight piece of a rope from the bend with this number to the next one."""
 
     rope: Rope

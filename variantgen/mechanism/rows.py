@@ -8,16 +8,15 @@ same coefficients stand before the accelerations, and a term quadratic in the ve
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from typing import Protocol, TypeAlias
 
 import numpy as np
+from msgspec import Struct, field
 
 from variantgen.mechanism.arithmetic import Complex, Flags, Real, from_parts, unit_vector
 
 
-@dataclass(frozen=True)
-class Frame:
+class Frame(Struct, frozen=True):
     """How a scene is laid on the paper: left and right exchanged (``sense`` -1), then a rotation (``turn``).
 
     Constructions work in the scene's own frame; everything after that works on paper. ``turn`` is a unit complex
@@ -50,8 +49,7 @@ class Frame:
         return self.place(unit_vector(angle))
 
 
-@dataclass(frozen=True)
-class Placement:
+class Placement(Struct, frozen=True):
     """A configuration: positions of points (m) and, in verification, rotations of bodies since the start (rad)."""
 
     z: Mapping[str, Complex]
@@ -59,16 +57,14 @@ class Placement:
     turned: Mapping[str, Real] = field(default_factory=dict)
 
 
-@dataclass(frozen=True)
-class Speeds:
+class Speeds(Struct, frozen=True):
     """Velocities of points (m/s) and angular velocities of bodies (rad/s) that are already known."""
 
     v: Mapping[str, Complex]
     omega: Mapping[str, Real]
 
 
-@dataclass(frozen=True)
-class Shape:
+class Shape(Struct, frozen=True):
     """Which points and bodies a row couples.
 
     ``given_point`` names the point whose velocity a vector row gives, ``pole`` the point whose velocity it starts from.
@@ -80,16 +76,14 @@ class Shape:
     pole: str | None = None
 
 
-@dataclass(frozen=True)
-class ScalarRow:
+class ScalarRow(Struct, frozen=True):
     """``sum Re(conj(c_P) v_P) + sum k_b omega_b = rate`` with ``points`` c_P and ``bodies`` k_b."""
 
     points: Mapping[str, Complex]
     bodies: Mapping[str, Real] = field(default_factory=dict)
 
 
-@dataclass(frozen=True)
-class VectorRow:
+class VectorRow(Struct, frozen=True):
     """``v_point = v_pole + sum c_b omega_b`` with ``bodies`` c_b (v_pole where the shape names a pole).
 
     At the level of accelerations the quadratic term is added.
@@ -132,8 +126,7 @@ class Constraint(Protocol):
         ...
 
 
-@dataclass(frozen=True)
-class Sliding:
+class Sliding(Struct, frozen=True):
     """A point slides on a body: along the line through two points of it or, without ``line``, about ``centre``."""
 
     point: str
@@ -157,8 +150,7 @@ class Sliding:
         return ray / np.abs(ray) ** 2
 
 
-@dataclass(frozen=True)
-class BodyContact:
+class BodyContact(Struct, frozen=True):
     """Two bodies touch at a place (m) without slip; each is given by its name and one of its points.
 
     ``other`` is None where the first touches something at rest.
@@ -169,8 +161,7 @@ class BodyContact:
     other: tuple[str, str] | None = None
 
 
-@dataclass(frozen=True)
-class JointCircle:
+class JointCircle(Struct, frozen=True):
     """A circle that rolls, meshes or carries a rope: about a point, of a ``body`` ("" where it is at rest or free)."""
 
     centre: str
@@ -178,8 +169,7 @@ class JointCircle:
     body: str = ""
 
 
-@dataclass(frozen=True)
-class Strand:
+class Strand(Struct, frozen=True):
     """A straight piece of a rope from a ``station`` at rest that is no body, a circle of ``radius`` (m) about a point.
 
     ``end`` is the point of the station at its other end, ``ray`` the unit vector on paper along it.
@@ -243,7 +233,7 @@ class Pair(Constraint, Protocol):
         ...
 
 
-class Joint:
+class Joint(Struct, frozen=True):
     """Common part of the joints: nothing is prescribed, so all rates are zero; nothing slides on a body."""
 
     def shapes(self) -> tuple[Shape, ...]:

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, fields, replace
 from itertools import count
 from typing import Any, Protocol
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import astuple, replace
 from numpy.typing import NDArray
 
 from variantgen.mechanism.arithmetic import Complex, Flags, Real
-from variantgen.mechanism.assembly import Condition
 from variantgen.mechanism.component import FieldSpec, field_specs, parts
+from variantgen.mechanism.condition import Condition
 from variantgen.mechanism.outcome import Outcome
 from variantgen.mechanism.rows import Constraint, Frame, Pair
 
@@ -67,8 +68,7 @@ class SceneInTime(Protocol):
         ...
 
 
-@dataclass(frozen=True)
-class Scene:
+class Scene(Struct, frozen=True):
     """Points by construction, rigid bodies as tuples of their points, joints, drivers, and the frame on paper.
 
     Numbers inside may be scalars or arrays over the batch (one entry per variant). A point that belongs to several
@@ -140,7 +140,7 @@ def fixed_points(scene: Scene) -> set[str]:
 
 def label(component: Any) -> str:
     """The name of a joint or driver in messages: its kind and what it acts on, ``guide of B``."""
-    named = [getattr(part, f.name) for part in parts(component) for f in fields(part)]
+    named = [item for part in parts(component) for item in astuple(part)]
     named = [item[0] if isinstance(item, tuple) and item else item for item in named]
     first = next((name for name in named if isinstance(name, str)), "nothing")
     kind = type(component).__name__

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from itertools import zip_longest
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.errors import InputError, Problem
 from variantgen.methods.by_groups import solve_groups
@@ -18,8 +20,7 @@ from variantgen.methods.steps.not_applicable import NOT_APPLICABLE
 from variantgen.methods.steps.step import Sentence
 
 
-@dataclass(frozen=True)
-class WholeMethod:
+class WholeMethod(Struct, frozen=True):
     """A method for the whole problem: whether it applies, and how it writes its steps into a book.
 
     ``digits`` is the number of significant digits of its results where they are measured, 0 where they are computed.
@@ -41,8 +42,7 @@ WHOLE: dict[str, WholeMethod] = {
 }
 
 
-@dataclass(frozen=True)
-class Choice:
+class Choice(Struct, frozen=True):
     """The style of a solution by groups, or the name of a method for the whole problem."""
 
     style: MethodStyle = MethodStyle()
@@ -85,14 +85,23 @@ def _of_groups(order: int) -> list[str]:
     return [name for name, method in GROUP_METHODS.items() if order in method.orders and name not in WHOLE]
 
 
-@dataclass(frozen=True)
-class _Problem:
+class _Problem(Struct, frozen=True):
     """What decides which methods apply; the task is any one of the kind."""
 
     family: str
     form: str
     asked: tuple[str, ...]
-    task: Task = field(compare=False)
+    task: Task
+
+    @property
+    def _kind(self) -> tuple[str, str, tuple[str, ...]]:
+        return self.family, self.form, self.asked
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Problem) and self._kind == other._kind
+
+    def __hash__(self) -> int:
+        return hash(self._kind)
 
 
 @lru_cache(maxsize=512)

@@ -10,8 +10,11 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from functools import cached_property
 from itertools import pairwise, product
+
+from msgspec import Struct, field
+from msgspec.structs import replace
 
 from variantgen.algebra.expression import Applied, Expression, Raised, Ratio, Times, Total, Value
 from variantgen.algebra.name import AXES, ON_LINE, OWN_AXES, Name
@@ -41,8 +44,7 @@ _SMALL = 1e-6  # of a natural scale: numbers below it are not compared with each
 Off = tuple[str | Name | None, float]  # what it is, or its name, and by how much it is off
 
 
-@dataclass
-class PrintedNumbers:
+class PrintedNumbers(Struct, dict=True):
     """The numbers of a solution; ``measured``: vectors were read from drawings, with their directions."""
 
     task: Task
@@ -50,8 +52,10 @@ class PrintedNumbers:
     _checked: set[Value] = field(default_factory=set)
     _pointed: set[tuple[Name, Value | None, Value, str]] = field(default_factory=set)  # vectors that were checked
 
-    def __post_init__(self) -> None:
-        self.solved = SolvedMotion(self.task)
+    @cached_property
+    def solved(self) -> SolvedMotion:
+        """What the solver found, in printed units."""
+        return SolvedMotion(self.task)
 
     def step(self, step: Step) -> Iterator[Off]:
         """By how much each number and each equation of a step is off."""

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal, get_args
+
+from msgspec import Struct
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.method_names import check_methods
@@ -12,8 +13,7 @@ Depth = Literal["answers", "short", "full"]
 DEPTHS: tuple[Depth, ...] = get_args(Depth)
 
 
-@dataclass(frozen=True)
-class SolutionOptions:
+class SolutionOptions(Struct, frozen=True):
     """``methods`` in the order in which they are preferred (none: the natural ones of the problem).
 
     ``depth``: the answers alone, a short solution without the sentences that only explain, or a full one.

@@ -7,9 +7,9 @@ method, a length on a drawing. Formulas here start from the solver's vectors alo
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
+from msgspec import Struct
 
 from variantgen.algebra.name import ON_LINE, Name
 from variantgen.families.parameters.units import unit
@@ -22,8 +22,7 @@ from variantgen.methods.linkage.time_laws import laws
 _NOTHING = 1e-9  # of the largest velocity: a smaller one has no direction
 
 
-@dataclass(frozen=True)
-class SolvedMotion:
+class SolvedMotion(Struct, frozen=True):
     """The motion of a task."""
 
     task: Task

@@ -5,12 +5,12 @@ from __future__ import annotations
 import os
 import shlex
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import jinja2
 from markupsafe import Markup
+from msgspec import Struct
 
 from variantgen.errors import InputError
 from variantgen.families.family import Family
@@ -33,8 +33,7 @@ from variantgen.wording.text import Text
 FILES = ("index.html", "gallery.pdf", "figures/*.svg")
 
 
-@dataclass(frozen=True)
-class Example:
+class Example(Struct, frozen=True):
     """One variant of a form: the name of its file, its seed, drawing and statement."""
 
     name: str
@@ -43,8 +42,7 @@ class Example:
     statement: Statement
 
 
-@dataclass(frozen=True)
-class FormRow:
+class FormRow(Struct, frozen=True):
     """The variants of one form, and the command that shows one of them but for its seed."""
 
     form: str
@@ -55,8 +53,7 @@ class FormRow:
 SolutionFigure = Sequence[tuple[Family, Sequence[FormRow]]]
 
 
-@dataclass(frozen=True)
-class GalleryRequest:
+class GalleryRequest(Struct, frozen=True):
     """What a gallery shows: ``each`` variants of every form, of the seeds ``seed``, ``seed + 1``, and so on.
 
     ``folders`` are those of families besides the catalogue, ``options`` what the commands need to find them.

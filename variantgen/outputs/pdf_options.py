@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from variantgen.errors import nearest
 from variantgen.outputs.files.file_names import NAMINGS
@@ -20,8 +21,7 @@ _WITHOUT_ACCESSIBLE = ("a-1a", "a-1b", "a-4")
 FILES = ("joined", "students", "both", "groups")
 
 
-@dataclass(frozen=True)
-class PdfOptions:
+class PdfOptions(Struct, frozen=True):
     """``standards`` to which every PDF conforms; ``files`` for the class, each student, both, or each group.
 
     ``names`` tells what the files of students are named by.

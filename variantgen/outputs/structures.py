@@ -5,11 +5,11 @@ from __future__ import annotations
 import tempfile
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
 from pathlib import Path
 
 import jinja2
 from markupsafe import Markup
+from msgspec import Struct
 
 from variantgen.errors import InputError
 from variantgen.families.asking import read_ask
@@ -28,8 +28,7 @@ from variantgen.variants.variant import solve_variants
 from variantgen.wording.language import load_language
 
 
-@dataclass(frozen=True)
-class StructureRow:
+class StructureRow(Struct, frozen=True):
     """A structure: its code, its level, the families (with their forms) that have it."""
 
     structure: Structure

@@ -10,10 +10,11 @@ import re
 import signal
 import sys
 import time
-from dataclasses import dataclass, field
 from datetime import date
 from pathlib import Path
 from typing import Any
+
+from msgspec import Struct, field
 
 from variantgen.errors import InputError, Problem
 from variantgen.studio.events import Events
@@ -24,8 +25,7 @@ _DAY = r"-\d{4}-\d\d-\d\d(?:-\d{1,3})?"  # what the name of a build has after th
 _FIRST = 3.0  # seconds before a rate is told
 
 
-@dataclass(frozen=True)
-class FinishedBuild:
+class FinishedBuild(Struct, frozen=True):
     """A finished build: its folder, whose exam it is, for how many, when, its files with their sizes.
 
     ``groups`` are those of its students, with what the file of each is called (no ending) where there is one.
@@ -46,8 +46,7 @@ class FinishedBuild:
         return sum(size for _, size in self.files)
 
 
-@dataclass
-class RunningBuild:
+class RunningBuild(Struct):
     """A build under way; ``state`` is what pages are told of it."""
 
     out: str

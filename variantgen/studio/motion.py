@@ -7,12 +7,12 @@ entry for each position, None where there is no value.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
 from decimal import Decimal
 from itertools import pairwise
 from typing import Any
 
 import numpy as np
+from msgspec.structs import replace
 
 from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import Quantity, motion_order

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from msgspec import Struct
 
 from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.families.parameters.draw_rules import frame
@@ -45,8 +45,7 @@ def kind_of(screen: str) -> str:
     return next((kind for words, kind in _KINDS if words in screen), "machine")
 
 
-@dataclass(frozen=True)
-class Room:
+class Room(Struct, frozen=True):
     """Of so many ``draws`` those that passed, those that each kind of screen rejected first, the size of the grid.
 
     ``accepted`` has, by parameter, how many of those that passed have each value of its grid.

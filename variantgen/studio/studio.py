@@ -6,10 +6,11 @@ import asyncio
 import threading
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
+
+from msgspec import Struct, field
 
 from variantgen.errors import InputError, Problem
 from variantgen.studio.builds import Builds, FinishedBuild
@@ -34,8 +35,7 @@ class UnknownKeyError(InputError):
         super().__init__(Problem("there is nothing of this name", value=key))
 
 
-@dataclass
-class Studio:
+class Studio(Struct, dict=True):
     """A running studio.
 
     Figures are drawn by one thread and sheets by another, so that a slider does not wait for a page; both take their

@@ -12,8 +12,9 @@ import re
 import tempfile
 import tomllib
 from collections.abc import Callable
-from dataclasses import dataclass
 from pathlib import Path
+
+from msgspec import Struct
 
 from variantgen.errors import InputError, Problem
 from variantgen.limits import TOML_BYTES
@@ -33,8 +34,7 @@ _NAME = re.compile(r"[^\W_][\w ()-]{0,59}", re.UNICODE)
 _PROBLEM = re.compile(r"^\s*\[\[\s*problem\s*\]\]", re.MULTILINE)
 
 
-@dataclass(frozen=True)
-class Workspace:
+class Workspace(Struct, frozen=True):
     """A folder with exams, which lie beside families, rosters and builds."""
 
     folder: Path

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from msgspec import Struct
 from numpy.typing import NDArray
 
 from variantgen.errors import InputError, Problem, VariantgenError
@@ -43,8 +43,7 @@ _AT_REST = 1e-9  # of the largest angular velocity
 _WIDTHS = (1.0, 0.5)  # how far values vary: less where links would cross
 
 
-@dataclass(frozen=True)
-class Composed:
+class Composed(Struct, frozen=True):
     """A family that was accepted: its structure, its files by their names."""
 
     structure: Structure

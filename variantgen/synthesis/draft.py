@@ -5,8 +5,10 @@ from __future__ import annotations
 import cmath
 import copy
 import math
-from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias
+
+from msgspec import Struct, field
+from msgspec.structs import replace
 
 from variantgen.synthesis.chance import Chance
 
@@ -30,8 +32,7 @@ class LayoutError(Exception):
     """A choice that leads to no mechanism; another one is tried."""
 
 
-@dataclass(frozen=True)
-class Datum:
+class Datum(Struct, frozen=True):
     """A printed number: its unit and value; ``spread``: how far its grid goes to either side."""
 
     unit: str
@@ -40,8 +41,7 @@ class Datum:
     spread: float
 
 
-@dataclass(frozen=True)
-class Attachment:
+class Attachment(Struct, frozen=True):
     """A hinge at which a dyad hangs on a link: the point, how the statement says where it is, the link's far point."""
 
     point: str
@@ -50,8 +50,7 @@ class Attachment:
     towards: str = ""
 
 
-@dataclass(frozen=True)
-class Wheel:
+class Wheel(Struct, frozen=True):
     """A circle that others keep off: its centre, radius (cm) and the largest of all variants, points that touch it."""
 
     centre: str
@@ -60,8 +59,7 @@ class Wheel:
     touching: tuple[str, ...] = ()
 
 
-@dataclass
-class Link:
+class Link(Struct):
     """A moving link: a bar between two points, or a block on a pin (``end`` is empty).
 
     ``noun``: what it is called; ``free``: hinges at its ends that no dyad uses yet; ``extra``: it has its third joint.
@@ -81,8 +79,7 @@ class Link:
     mates: set[int] = field(default_factory=set)
 
 
-@dataclass
-class Draft:
+class Draft(Struct):
     """What is laid out so far. Lengths in cm, directions in degrees, x right and y up."""
 
     rng: Chance

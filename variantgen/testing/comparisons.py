@@ -7,10 +7,10 @@ acceleration; infinite where only one of the two is solved.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
+from msgspec.structs import replace
 
 from variantgen.mechanism.motion import Field, Motion, largest_change
 

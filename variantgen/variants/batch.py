@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
 from typing import Protocol, TypeAlias
 
 import numpy as np
+from msgspec import Struct, field
 from numpy.typing import NDArray
 
 from variantgen.errors import Problem
@@ -43,8 +43,7 @@ class Screening(Protocol):
 MakeScreening: TypeAlias = Callable[[Form, Values, Frame, Sequence[Quantity], Motion], Screening]
 
 
-@dataclass
-class RejectionCounts:
+class RejectionCounts(Struct):
     """The number of attempts, and of those that each screen was the first to reject."""
 
     attempts: int = 0
@@ -56,8 +55,7 @@ class RejectionCounts:
         return f"of {self.attempts} draws rejected by " + "; ".join(parts)
 
 
-@dataclass(frozen=True)
-class Attempts:
+class Attempts(Struct, frozen=True):
     """A batch of attempts: grid indices per parameter, pose, which student each belongs to; its motion if solved."""
 
     index: dict[str, NDArray[np.int64]]

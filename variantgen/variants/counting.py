@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
+from msgspec import Struct
 
 from variantgen.families.family import Family, Form
 from variantgen.families.quantities import Quantity
@@ -18,8 +18,7 @@ _COUNTED, _COUNTED_IN_TIME = 20_000, 1_000  # the fewer where each point needs t
 _SILENT_TRIALS = 12
 
 
-@dataclass(frozen=True)
-class Variety:
+class Variety(Struct, frozen=True):
     """Number of points of the printed grid, how many of them are valid, and whether that was counted."""
 
     grid: int

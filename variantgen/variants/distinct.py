@@ -8,10 +8,10 @@ draws that nobody before has, and that is not nearly the same as one that somebo
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from msgspec import Struct
 from numpy.typing import NDArray
 
 from variantgen.variants.similarity import Traits
@@ -27,8 +27,7 @@ _LIMIT = 1.0 + 1e-4  # of single precision
 More = Callable[[Sequence[int], Sequence[int]], Traits]
 
 
-@dataclass(frozen=True)
-class DistinctDraws:
+class DistinctDraws(Struct, frozen=True):
     """Who has to take another than their first draw, and by which attempt; who has nearly the same data as another."""
 
     again: dict[int, int]

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
+from msgspec import Struct
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.family import Form
@@ -25,8 +25,7 @@ from variantgen.variants.variant import Variant, solve_variants
 _SAME = 1e-6
 
 
-@dataclass(frozen=True)
-class DriverSweep:
+class DriverSweep(Struct, frozen=True):
     """A sweep and its abscissa: ``values`` in degrees or metres, shape (K,).
 
     ``given`` is the name of the printed angle that the way changes; where it is '' the way is counted from the instant

@@ -12,10 +12,10 @@ size (:data:`CLOSE_ANSWER` times at most): whoever sits beside could copy them w
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from math import log
 
 import numpy as np
+from msgspec import Struct
 from numpy.typing import NDArray
 
 from variantgen.families.quantities import Quantity, motion_order
@@ -36,8 +36,7 @@ _STEPS, _SHIFT = 1e6, 0.3719
 _NOTHING = 1e-9  # SI: what is smaller is zero but for rounding
 
 
-@dataclass(frozen=True)
-class Traits:
+class Traits(Struct, frozen=True):
     """The data by which N variants are compared.
 
     ``identity`` is equal for equal problems, ``room`` for those that may be nearly the same, shape (N,) each (hashes of

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from decimal import Decimal
 from typing import Any
 
 import numpy as np
+from msgspec import Struct
 from numpy.typing import NDArray
 
 from variantgen.families.family import Family, Form
@@ -18,8 +18,7 @@ from variantgen.mechanism.solving.solve import solve
 from variantgen.notebook import display
 
 
-@dataclass(frozen=True, repr=False)
-class Variant:
+class Variant(Struct, frozen=True):
     """One drawn variant: printed values of its parameters, and how the scene lies on paper.
 
     ``printed`` holds the value of each parameter as it is printed (for a choice the number behind the word).

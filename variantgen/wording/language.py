@@ -9,11 +9,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
 from functools import cache
 from math import isfinite
+
+from msgspec import Struct
 
 from variantgen.algebra.decimals import rounded, rounded_to_digits
 from variantgen.families.parameters.units import Unit
@@ -47,8 +48,7 @@ _DECIMALS, _DENOMINATOR = 12, 999  # digits of a quotient that does not come out
 ANSWER_DIGITS = 4  # significant digits of a printed answer
 
 
-@dataclass(frozen=True, eq=False)
-class Language:
+class Language(Struct, frozen=True, eq=False):
     """Words by table and key; numbers and units in the habits of the language. There is one of each."""
 
     name: str

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, fields, replace
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.tables import Table
@@ -14,8 +16,7 @@ CHOICES: Mapping[str, tuple[str, ...]] = {
 }
 
 
-@dataclass(frozen=True)
-class Notation:
+class Notation(Struct, frozen=True):
     """``angular_acceleration``: its letter. ``components``: how the two parts of an acceleration are marked.
 
     ``normal`` writes ``n`` and the letter of the tangent in the language (``tau``, ``t``); ``rotational`` the short
@@ -28,17 +29,17 @@ class Notation:
 
     def __post_init__(self) -> None:
         problems = []
-        for field in fields(self):
-            value, known = getattr(self, field.name), CHOICES[field.name]
+        for name in self.__struct_fields__:
+            value, known = getattr(self, name), CHOICES[name]
             if value and value not in known:
                 remedy = nearest(value, known)
-                problems.append(Problem("unknown notation", key=field.name, value=value, remedy=remedy))
+                problems.append(Problem("unknown notation", key=name, value=value, remedy=remedy))
         if problems:
             raise InputError(problems)
 
     def filled(self, usual: Mapping[str, str]) -> Notation:
         """The notation with what is usual in a language where it chooses nothing."""
-        return Notation(**{field.name: getattr(self, field.name) or usual[field.name] for field in fields(self)})
+        return Notation(**{name: getattr(self, name) or usual[name] for name in self.__struct_fields__})
 
 
 USUAL = Notation()

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence, Set
-from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from msgspec import Struct
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.family import Form
@@ -35,8 +35,7 @@ _OPEN, _CLOSE = "\ue000", "\ue001"
 _MARK = re.compile(f"{_OPEN}(\\d+){_CLOSE}")
 
 
-@dataclass(frozen=True)
-class Statement:
+class Statement(Struct, frozen=True):
     """What a student reads: the text, the given data, the asked quantities with their units."""
 
     text: Text
@@ -88,8 +87,7 @@ def _found(case: _Case, variant: Variant) -> list[Equation]:
     ]
 
 
-@dataclass(frozen=True)
-class _Case:
+class _Case(Struct, frozen=True):
     """All that a text depends on; ``variant`` is one of those that have the same text.
 
     ``zero`` are the parameters that are zero, ``words`` those of choices, ``speeds`` whether what each driver gives
@@ -102,7 +100,17 @@ class _Case:
     zero: tuple[str, ...]
     words: tuple[tuple[str, str], ...]
     speeds: tuple[bool, ...]
-    variant: Variant = field(compare=False)
+    variant: Variant
+
+    @property
+    def _kind(self) -> tuple[object, ...]:
+        return self.form, self.asked, self.language, self.zero, self.words, self.speeds
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Case) and self._kind == other._kind
+
+    def __hash__(self) -> int:
+        return hash(self._kind)
 
 
 def _case(variant: Variant, asked: Sequence[Quantity], language: Language) -> _Case:

@@ -6,13 +6,13 @@ import re
 import sys
 import xml.etree.ElementTree as ET
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pypdfium2
 import pytest
 from matplotlib.patches import Rectangle
+from msgspec.structs import replace
 
 from variantgen.errors import InputError, ToolMissingError
 from variantgen.figure.drawing import MEDIUM, THIN, Arc, Drawing, Label, Layer

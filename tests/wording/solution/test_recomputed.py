@@ -10,9 +10,10 @@ import math
 import re
 from collections.abc import Iterator
 from contextlib import nullcontext, suppress
-from dataclasses import fields, is_dataclass
 
 import pytest
+from msgspec import Struct
+from msgspec.structs import astuple
 
 from tests.calculator import UnreadableError, evaluate, last_unit
 from tests.methods.applying import cases
@@ -210,9 +211,8 @@ def numbers_in(formula: Formula) -> Iterator[tuple[str, bool]]:
             yield text, unit.tight
         case Number(text):
             yield text, False
-        case _ if is_dataclass(formula):
-            for field in fields(formula):
-                yield from numbers_in(getattr(formula, field.name))
+        case Struct():
+            yield from numbers_in(astuple(formula))
         case tuple():
             for part in formula:
                 yield from numbers_in(part)

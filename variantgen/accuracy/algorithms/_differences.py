@@ -6,10 +6,10 @@ Places are those of the production; the chain is closed by Newton's method on th
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from msgspec import Struct
 
 from variantgen.accuracy.computed import CaseGroup, Computed
 from variantgen.mechanism.motion import Motion
@@ -20,8 +20,7 @@ from variantgen.mechanism.verification.closure_residuals import ClosureResiduals
 _ITERATIONS = 25
 
 
-@dataclass(frozen=True)
-class Stencil:
+class Stencil(Struct, frozen=True):
     """Central differences: offsets in steps, weights for the first and the second derivative, the step (rad)."""
 
     offsets: tuple[float, ...]

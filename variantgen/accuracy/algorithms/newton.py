@@ -7,10 +7,10 @@ moved by a twentieth of the mechanism's size, which is what a sketch gives.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
+from msgspec.structs import replace
 
 from variantgen.accuracy.algorithms.dense import from_places
 from variantgen.accuracy.computed import CaseGroup, Computed

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from msgspec.structs import astuple
 from numpy.random import Generator
 
 from variantgen.accuracy.cases._shapes import chosen, grouped, rates
@@ -26,7 +27,7 @@ def groups(count: int, rng: Generator) -> list[CaseGroup]:
         found.append(grouped(f"four-bar, {angle:.0e} rad", _parallel(rng, angle, each), each, angle=angle))
         a, b = rng.uniform(0.1, 0.4, each), rng.uniform(0.5, 1.0, each)
         upright = SliderCrank(a, b, rng.uniform(-0.2, 0.2, each), 0.5 * np.pi - angle, *rates(rng, each))
-        upright = SliderCrank(*(np.broadcast_to(x, each) for x in vars(upright).values()))
+        upright = SliderCrank(*(np.broadcast_to(x, each) for x in astuple(upright)))
         found.append(grouped(f"slider-crank, {angle:.0e} rad", upright, each, angle=angle))
     return found
 

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
+from msgspec.structs import replace
 from numpy.random import Generator
 
 from variantgen.accuracy.cases._shapes import four_bars, grouped, slider_cranks

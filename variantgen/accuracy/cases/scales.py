@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
+from msgspec.structs import replace
 from numpy.random import Generator
 
 from variantgen.accuracy.cases._shapes import four_bars, grouped, slider_cranks

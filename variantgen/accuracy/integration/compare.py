@@ -6,10 +6,10 @@ import math
 import time
 import warnings
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from msgspec import Struct
 
 from variantgen.accuracy.computed import Computed
 from variantgen.accuracy.integration.integrate import METHODS, STABILISATIONS, Trajectory, integrate, possible
@@ -24,8 +24,7 @@ _SHORT = 0.1  # seconds
 _LEAST = 1e-14  # scipy takes no smaller tolerances than about a hundred roundings
 
 
-@dataclass(frozen=True)
-class PassageErrors:
+class PassageErrors(Struct, frozen=True):
     """How well a passage was followed: largest relative errors at its instants, seconds for the whole.
 
     ``tolerance`` and ``evaluations`` are zero for direct evaluation. ``drift``: largest gap of the closed chain, of

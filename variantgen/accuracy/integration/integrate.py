@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import importlib
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from msgspec import Struct
 from numpy.typing import NDArray
 
 from variantgen.accuracy.integration.passage import Passage
@@ -24,8 +24,7 @@ class TooLongError(ArithmeticError):
     """The integration needs more evaluations than it is given."""
 
 
-@dataclass(frozen=True)
-class Trajectory:
+class Trajectory(Struct, frozen=True):
     """States at the instants of a passage, shape (K, 2); ``evaluations`` of the velocity equations, ``drift`` of the
     closure (m): the largest gap at an instant; ``failed``: why it ends early, empty if it does not.
     """

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import cmath
 import math
-from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import astuple, replace
 from numpy.typing import NDArray
 
 from variantgen.accuracy.precise import exact_number, many_digits, mpmath
@@ -21,8 +22,7 @@ from variantgen.mechanism.scene import Scene
 State = tuple[float, float]
 
 
-@dataclass(frozen=True)
-class Passage:
+class Passage(Struct, frozen=True, dict=True):
     """A four-bar (numbers, not arrays) whose crank turns evenly from ``phi``; looked at at the ``instants`` (s).
 
     The state is (theta, psi): the angles of coupler and rocker to the base (rad).
@@ -40,7 +40,7 @@ class Passage:
     @property
     def start(self) -> State:
         """The state at the start, by the law of cosines."""
-        one = FourBar(*(np.array([x]) for x in vars(self.bar).values())).closed_form()
+        one = FourBar(*(np.array([x]) for x in astuple(self.bar))).closed_form()
         tip, end = complex(one.z["A"][0]), complex(one.z["B"][0])
         return cmath.phase(end - tip), cmath.phase(end - self.bar.d)
 

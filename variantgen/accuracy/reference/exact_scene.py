@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.accuracy.reference.series import Series, series
 from variantgen.mechanism.component import FieldSpec, field_specs
@@ -15,8 +16,7 @@ from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.scene import Scene, with_numbers
 
 
-@dataclass(frozen=True)
-class SceneNumber:
+class SceneNumber(Struct, frozen=True):
     """A number that a scene is given by: which of its components (in the order of :func:`data`) and which field."""
 
     number: int

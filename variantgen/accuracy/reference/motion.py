@@ -7,8 +7,9 @@ until what is left of each order vanishes to all digits, so the step has no infl
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
+
+from msgspec import Struct
 
 from variantgen.accuracy.precise import mpmath
 from variantgen.accuracy.reference.checked_positions import check_substituted, on_paper, positions
@@ -22,8 +23,7 @@ _LEFT = 1e-50  # of the largest rate: what the residuals of each order may leave
 _ROUNDS = 12
 
 
-@dataclass(frozen=True)
-class ExactMotion:
+class ExactMotion(Struct, frozen=True):
     """The motion of one variant in numbers of mpmath; units and signs as in :class:`~..mechanism.motion.Motion`.
 
     ``size`` is the largest distance of a point from the middle of all points (m); ``places`` are in the scene's frame.
@@ -38,8 +38,7 @@ class ExactMotion:
     size: Any
 
 
-@dataclass(frozen=True)
-class ExactSolution:
+class ExactSolution(Struct, frozen=True):
     """The exact motion with what it takes to find that of a neighbouring scene: unknowns and factors."""
 
     exact: ExactMotion

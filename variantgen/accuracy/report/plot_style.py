@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 
-@dataclass(frozen=True)
-class PlotStyle:
+class PlotStyle(Struct, frozen=True):
     """Marker, whether it is filled, colour (dark enough for grey print), line."""
 
     marker: str

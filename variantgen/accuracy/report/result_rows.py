@@ -4,17 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from types import ModuleType
 
 import numpy as np
+from msgspec import Struct
 
 from variantgen.accuracy.measure import FAILURES, Errors, discovered
 from variantgen.accuracy.run import CaseClass, Measurement
 
 
-@dataclass(frozen=True)
-class ResultRow:
+class ResultRow(Struct, frozen=True):
     """Median and largest errors of velocities and accelerations, and largest errors over (kappa eps).
 
     ``microseconds`` per variant in batches of ``batch``; ``variants`` tried, ``failures`` by kind; NaN where nothing

@@ -6,7 +6,6 @@ import csv
 import io
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import fields
 
 from variantgen.accuracy.integration.compare import PassageErrors
 from variantgen.accuracy.measure import FAILURES
@@ -33,7 +32,7 @@ def instants_csv(measured: Measurement) -> str:
 
 def motion_csv(measured: Measurement) -> str:
     """Every passage, method, stabilisation and tolerance."""
-    names = [field.name for field in fields(PassageErrors)]
+    names = PassageErrors.__struct_fields__
     rows = [
         [*(_cell(getattr(result, name)) for name in names), _short(trip.stiffness), _short(trip.jump)]
         for trip in measured.trips

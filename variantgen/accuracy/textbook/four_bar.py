@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import astuple
 
 from variantgen.accuracy.computed import Computed
 from variantgen.mechanism.constructions.circle_circle import CircleCircle
@@ -17,8 +18,7 @@ from variantgen.mechanism.joints.pivot import Pivot
 from variantgen.mechanism.scene import Scene
 
 
-@dataclass(frozen=True)
-class FourBar:
+class FourBar(Struct, frozen=True):
     """Lengths (m), crank angle (rad), omega (rad/s), epsilon (rad/s^2), side of B on the way A -> C; shape (N,)."""
 
     a: Any
@@ -101,7 +101,7 @@ class FourBar:
 
     def take(self, index: Any) -> FourBar:
         """The variants at some indices."""
-        return FourBar(*(getattr(self, f.name)[index] for f in fields(self)))
+        return FourBar(*(table[index] for table in astuple(self)))
 
     def rate(self) -> Any:
         """Of the crank."""

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import astuple
 
 from variantgen.accuracy.computed import Computed
 from variantgen.mechanism.constructions.coordinates import Coordinates
@@ -18,8 +19,7 @@ from variantgen.mechanism.joints.pivot import Pivot
 from variantgen.mechanism.scene import Scene
 
 
-@dataclass(frozen=True)
-class SliderCrank:
+class SliderCrank(Struct, frozen=True):
     """Lengths and height of the guide (m), crank angle (rad), omega (rad/s), epsilon (rad/s^2); shape (N,)."""
 
     a: Any
@@ -81,7 +81,7 @@ class SliderCrank:
 
     def take(self, index: Any) -> SliderCrank:
         """The variants at some indices."""
-        return SliderCrank(*(getattr(self, f.name)[index] for f in fields(self)))
+        return SliderCrank(*(table[index] for table in astuple(self)))
 
     def rate(self) -> Any:
         """Of the crank."""

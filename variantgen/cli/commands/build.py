@@ -6,9 +6,10 @@ import argparse
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+from msgspec.structs import replace
 
 from variantgen.cli.late import late
 from variantgen.cli.messages import counted, some_of, tell

@@ -209,7 +209,7 @@ def _summary(found: Marked) -> str:
 
 def _json(found: Marked, anonymous: bool) -> str:
     """The sums and what was not matched, as JSON."""
-    from dataclasses import asdict
+    from msgspec.structs import asdict
 
     from variantgen.marking.records import not_matched
 

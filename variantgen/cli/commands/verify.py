@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import argparse
 import json
-from dataclasses import asdict
 from pathlib import Path
+
+from msgspec.structs import asdict
 
 from variantgen.cli.messages import counted, say, tell
 from variantgen.cli.options import add_families

@@ -5,11 +5,12 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
 from decimal import Decimal
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
+
+from msgspec import Struct, field
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam.exam_file import Exam
@@ -33,8 +34,7 @@ _WORDS = {
 }
 
 
-@dataclass(frozen=True)
-class Manifest:
+class Manifest(Struct, frozen=True):
     """A manifest. ``made_with`` are versions and hashes by name, ``files`` SHA-256 by path in the folder.
 
     ``exam_id`` is the short name of the build that QR codes have. ``tolerance`` is the marking, which may have been

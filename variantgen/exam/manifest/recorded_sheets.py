@@ -5,8 +5,9 @@ from __future__ import annotations
 import pickle
 import zlib
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields
 from typing import Any
+
+from msgspec import Struct
 
 from variantgen.exam import printable
 from variantgen.exam.roster import Student
@@ -15,8 +16,7 @@ from variantgen.methods.hand.work import Work
 from variantgen.tables import Table
 
 
-@dataclass(frozen=True)
-class RecordedAnswer:
+class RecordedAnswer(Struct, frozen=True):
     """An answer of the key: the name of its quantity, value and tolerance in the unit of that name."""
 
     quantity: str
@@ -25,8 +25,7 @@ class RecordedAnswer:
     tolerance: float
 
 
-@dataclass(frozen=True)
-class RecordedProblem:
+class RecordedProblem(Struct, frozen=True):
     """A variant as it was handed out; ``parameters`` are printed values with their units, or words with none."""
 
     number: int
@@ -45,8 +44,7 @@ class RecordedProblem:
         return f"{self.family} {self.form}".strip()
 
 
-@dataclass(frozen=True)
-class RecordedSheet:
+class RecordedSheet(Struct, frozen=True):
     """The sheet of a student as it is recorded."""
 
     student: Student
@@ -144,6 +142,6 @@ def _work(table: Table) -> Work | None:
     """The work of a variant; None where it is not recorded."""
     if not table.data:
         return None
-    found = Work(*(table.need(part.name, int, 0) for part in fields(Work)))
+    found = Work(*(table.need(name, int, 0) for name in Work.__struct_fields__))
     table.finish()
     return found

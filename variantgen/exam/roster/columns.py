@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from functools import cache
+
+from msgspec import Struct
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.limits import TITLE_ROWS
@@ -15,8 +16,7 @@ NAME_PARTS = ("surname", "first", "middle")
 _SHOWN = 60
 
 
-@dataclass(frozen=True)
-class Columns:
+class Columns(Struct, frozen=True):
     """The places of columns by what they hold: ``id``, ``number``, ``name``, the parts of a name, ``group``.
 
     ``row`` is the place of the header among the rows, ``heads`` are its cells, ``unused`` those of no known kind.

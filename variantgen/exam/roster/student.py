@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 
-@dataclass(frozen=True)
-class Student:
+class Student(Struct, frozen=True):
     """One entry of the roster; ``id`` alone decides the variant."""
 
     id: str

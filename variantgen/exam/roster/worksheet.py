@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 Row = tuple[int, Sequence[str]]  # its number in the file, its cells
 
 
-@dataclass(frozen=True)
-class Worksheet:
+class Worksheet(Struct, frozen=True):
     """A table with the rows that are not empty; ``title`` is that of a worksheet.
 
     ``computed`` are the cells with formulas, by the number of the row and the place in it, where these were asked for.

@@ -14,11 +14,11 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
 from itertools import product
 from typing import Any
 
 import numpy as np
+from msgspec import Struct, field
 from numpy.typing import NDArray
 
 from variantgen.errors import InputError, Problem
@@ -45,8 +45,7 @@ _UNEVEN = 1.25  # members of a pool are comparable as long as one takes at most 
 _WIDTHS = (1.0, 2.0, 4.0, 8.0)  # times the wanted width, which are tried one after the other
 
 
-@dataclass(frozen=True)
-class Band:
+class Band(Struct, frozen=True):
     """The work that variants of a form may take, and what is known of the form from the sample.
 
     ``room`` is the estimated number of distinct variants in the band, ``of`` that of all valid ones of the form;
@@ -82,8 +81,7 @@ class Band:
         return all(low <= number <= high for (low, high), number in zip(spans, work.sizes, strict=True))
 
 
-@dataclass
-class FairDraws:
+class FairDraws(Struct):
     """The screens of draws by the tolerance of an exam, and with them the band of each form; see
     :class:`variantgen.variants.batch.MakeScreening`.
 
@@ -135,8 +133,7 @@ def _key(variant: Variant) -> tuple[object, ...]:
     return (variant.form, *map(variant.printed.get, variant.form.parameters), variant.sense, variant.turns)
 
 
-@dataclass(frozen=True)
-class _FairScreening:
+class _FairScreening(Struct, frozen=True):
     """A batch of attempts at a form: the screens of its tolerances, then the band."""
 
     fair: FairDraws

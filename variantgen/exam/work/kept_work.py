@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-from statistics import median
 from typing import Any
+
+from msgspec import Struct
 
 KEPT = Path(__file__).with_name("work_samples.json")
 SAMPLE = 48  # variants of a form
@@ -16,8 +16,7 @@ SAMPLE = 48  # variants of a form
 Sizes = tuple[int, int, int]  # calculations, negative numbers, obtuse angles
 
 
-@dataclass(frozen=True)
-class WorkSample:
+class WorkSample(Struct, frozen=True):
     """How many variants of a sample take so much work, and the number of draws ``of`` which they are the valid ones.
 
     ``works`` is empty where a form has no valid variant, and where no method leads to what is asked.
@@ -34,7 +33,8 @@ class WorkSample:
     @property
     def median(self) -> float:
         """The calculations of a usual variant; zero where there is none."""
-        return float(median(size for size, _, _ in self.works.elements())) if self.works else 0.0
+        sizes = sorted(size for size, _, _ in self.works.elements())
+        return 0.5 * (sizes[(len(sizes) - 1) // 2] + sizes[len(sizes) // 2]) if sizes else 0.0
 
 
 @cache

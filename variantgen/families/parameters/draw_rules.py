@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from decimal import Decimal
 from typing import Any
 
 import numpy as np
+from msgspec import Struct, field
 from numpy.typing import NDArray
 
 from variantgen.families.parameters.expressions import FamilyExpression
@@ -16,8 +16,7 @@ from variantgen.mechanism.arithmetic import Real
 from variantgen.mechanism.rows import Frame
 
 
-@dataclass(frozen=True)
-class Comparison:
+class Comparison(Struct, frozen=True):
     """``left < right`` (strict) or ``left <= right``, as written in ``text``."""
 
     text: str
@@ -31,8 +30,7 @@ class Comparison:
         return np.less(left, right) if self.strict else np.less_equal(left, right)
 
 
-@dataclass(frozen=True)
-class Screens:
+class Screens(Struct, frozen=True):
     """What a variant must meet. Angles in rad, the others relative to the size or rates of the mechanism.
 
     ``transmission``: distance from dead points (see Motion.transmission); ``spacing``: smallest distance of two
@@ -54,8 +52,7 @@ class Screens:
     require: tuple[Comparison, ...] = ()
 
 
-@dataclass(frozen=True)
-class TiedValues:
+class TiedValues(Struct, frozen=True):
     """Values of some parameters that go together: one of the ``rows`` is drawn, each with a printed value per name."""
 
     names: tuple[str, ...]
@@ -74,8 +71,7 @@ class TiedValues:
         }
 
 
-@dataclass(frozen=True)
-class HandFriendly:
+class HandFriendly(Struct, frozen=True):
     """How hand-friendly variants are drawn: grids in place of those of the form, rows of values that go together.
 
     ``require``: further comparisons; ``possible``: whether there are such variants at all; ``answers``: whether the
@@ -89,8 +85,7 @@ class HandFriendly:
     answers: bool = True
 
 
-@dataclass(frozen=True)
-class Pose:
+class Pose(Struct, frozen=True):
     """How a scene may be laid on paper: reflected, turned by quarter turns."""
 
     mirror: bool = True

@@ -9,13 +9,13 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import cached_property, partial, reduce
 from operator import itemgetter
 from types import MappingProxyType
 from typing import Any
 
 import numpy as np
+from msgspec import Struct
 
 from variantgen.algebra.derivative import derivative
 from variantgen.algebra.expression import (
@@ -69,8 +69,7 @@ _MAX_LENGTH, _MAX_POWER, _MAX_NODES = 200, 8, 600
 Computation = Callable[[Mapping[str, Real]], Any]  # from SI values to a value
 
 
-@dataclass(frozen=True, eq=False)
-class FamilyExpression:
+class FamilyExpression(Struct, frozen=True, eq=False, dict=True):
     """An expression as a file states it: its ``text``, for messages, and what is computed, in SI and radians.
 
     A number that stands alone (``distance = 60``) has a measure and is in SI, too; numbers within a formula are plain.
@@ -78,9 +77,6 @@ class FamilyExpression:
 
     text: str
     tree: Expression
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self.text, self.tree)  # without what can be worked out again
 
     @cached_property
     def names(self) -> frozenset[str]:

@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from decimal import Decimal
 from functools import cached_property
 
 import numpy as np
+from msgspec import Struct
 from numpy.typing import NDArray
 
 from variantgen.families.parameters.units import Unit
 
 
-@dataclass(frozen=True)
-class Parameter:
+class Parameter(Struct, frozen=True, dict=True):
     """A drawn parameter: its grid of printed values, and the same in SI.
 
     A choice parameter has ``words`` and no unit. ``symbol`` is how it is written (``omega_OA``, ``phi``). A

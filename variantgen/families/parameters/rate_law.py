@@ -7,7 +7,8 @@ them, its velocity ``s_dot``, its acceleration ``s_ddot``; constants of integrat
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from variantgen.algebra.antiderivative import antiderivative, at, has, polynomial, straight
 from variantgen.algebra.expression import Applied, Constant, Expression, Raised, Ratio, SquareRoot, Times, Variable
@@ -19,8 +20,7 @@ _ZERO = Constant(0.0)
 _KEPT = ("deg", "pi")  # in a formula these say more than their numbers
 
 
-@dataclass(frozen=True)
-class Start:
+class Start(Struct, frozen=True):
     """Where a law begins: the time or the place, the value of the law there (None by place), its velocity or None."""
 
     where: Expression
@@ -28,8 +28,7 @@ class Start:
     rate: Expression | None
 
 
-@dataclass(frozen=True)
-class RateLaw:
+class RateLaw(Struct, frozen=True):
     """The velocity (``order`` 1) or the acceleration (2) of the law ``name`` as its file states it.
 
     ``variable`` is the name of the time, or that of the law itself, whose velocity at a given place is wanted.
@@ -54,8 +53,7 @@ class RateLaw:
         return has(self.tree, name)
 
 
-@dataclass(frozen=True)
-class Integrated:
+class Integrated(Struct, frozen=True):
     """A law that has been integrated: how (the key of a sentence), its place and velocity by the variable.
 
     What is None has to be worked out numerically. ``lines`` are equations that a solution shows.

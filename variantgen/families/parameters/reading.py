@@ -5,9 +5,10 @@ from __future__ import annotations
 import keyword
 import re
 from collections.abc import Sequence
-from dataclasses import replace
 from decimal import Decimal
 from typing import Any
+
+from msgspec.structs import replace
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.parameters.dimensions import CONSTANTS

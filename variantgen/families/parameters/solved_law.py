@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
 import numpy as np
+from msgspec import Struct
 from numpy.typing import NDArray
 
 from variantgen.families.parameters.expressions import FamilyExpression
@@ -18,8 +18,7 @@ _PRECISE, _NOTHING = 1e-12, 1e-14  # relative and absolute error of a step
 _FAR = 1e9  # of the unit: what grows beyond has no value
 
 
-@dataclass(frozen=True, eq=False)
-class InitialValue:
+class InitialValue(Struct, frozen=True, eq=False):
     """``y' = f(x, y)`` or ``y'' = f(x, y, y')`` (``order`` 2) from ``start``: x, y and y' there.
 
     With ``is_by_place`` y itself is x, and y' at it is wanted. All in numbers of the law, of which ``scale`` is one in
@@ -140,15 +139,11 @@ def _followed(
     return found.sol, float(found.t[-1])
 
 
-@dataclass(frozen=True, eq=False)
-class SolvedLaw(FamilyExpression):
+class SolvedLaw(FamilyExpression, frozen=True, eq=False):
     """The place (``part`` 0) or the velocity (1) of a law as an expression of a family."""
 
     law: InitialValue
     part: int
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self.text, self.tree, self.law, self.part)
 
     @property
     def names(self) -> frozenset[str]:

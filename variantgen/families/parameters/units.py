@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass
 from decimal import Decimal
 from typing import TypeVar
 
 import numpy as np
+from msgspec import Struct
 from numpy.typing import NDArray
 
 from variantgen.errors import InputError, Problem, nearest
@@ -16,8 +16,7 @@ from variantgen.errors import InputError, Problem, nearest
 Number = TypeVar("Number", float, NDArray[np.float64])
 
 
-@dataclass(frozen=True)
-class Unit:
+class Unit(Struct, frozen=True):
     """A unit: name, dimension (exponents of length and time), factor to SI, what it measures.
 
     ``turn`` marks units that carry an extra factor, which no decimal number can hold: pi/180, pi/30, 1/3.6.

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from variantgen.mechanism.motion import Field, Motion
 
@@ -13,8 +14,7 @@ WITH_EXTREMES = ("v", "a", "omega", "epsilon", "x", "y", "angle", "distance")
 Computed = Callable[[Motion, str, str], Field]  # of a motion, a target and what is asked of it, in SI
 
 
-@dataclass(frozen=True)
-class Kind:
+class Kind(Struct, frozen=True):
     """A kind of quantities: ``group`` tells how it is named and read, ``measure`` is that of its value.
 
     ``order`` is 0 if positions are enough to know it, 1 if velocities are needed, 2 if accelerations. ``of`` is the

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
 from functools import cached_property
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.algebra.decimals import RECORDED_DIGITS
 from variantgen.families.parameters.units import Unit, unit
@@ -20,8 +22,7 @@ from variantgen.mechanism.turn.crank import crank_of
 _NO_ANGLE = 1e-9
 
 
-@dataclass(frozen=True)
-class Quantity:
+class Quantity(Struct, frozen=True, dict=True):
     """An asked quantity: ``kind`` (v, a, omega, ...), point or body, and what of it (see the table of the package)."""
 
     kind: str

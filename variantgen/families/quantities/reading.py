@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import replace
+
+from msgspec.structs import replace
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.parameters.units import UNITS, usual_name

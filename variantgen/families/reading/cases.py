@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from decimal import Decimal
 from typing import Any
+
+from msgspec import Struct
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.family import Family, Form
@@ -20,8 +21,7 @@ from variantgen.tables import Table, read_toml
 AGREES = 1e-9
 
 
-@dataclass(frozen=True)
-class Case:
+class Case(Struct, frozen=True):
     """One worked case. ``given`` is in SI; ``exact`` and ``printed`` are in the printed units of the family.
 
     ``magnitudes``: the source states no signs, so absolute values are compared. ``erratum`` says what is wrong in

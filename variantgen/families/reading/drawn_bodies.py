@@ -7,8 +7,9 @@ meshes or winds up a rope is a circle. A slot in a plate or in a disc is a groov
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import replace
 from typing import NamedTuple
+
+from msgspec.structs import replace
 
 from variantgen.families.family import Form
 from variantgen.families.figure_hints import DiscMark, FigureHints

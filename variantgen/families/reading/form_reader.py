@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection
-from dataclasses import replace
 from decimal import Decimal
 from fnmatch import fnmatchcase
 from typing import Any, NamedTuple
+
+from msgspec.structs import force_setattr, replace
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.asking import read_ask
@@ -266,7 +267,7 @@ class FormReader:
             raise InputError(
                 Problem("nothing moves in this scene", key="bodies", remedy="add bodies, joints and a driver")
             )
-        object.__setattr__(form, "ask", plain)
+        force_setattr(form, "ask", plain)
 
     def _listed(self, name: str, package: str) -> tuple[ComponentTemplate, ...]:
         found = [self._templates.read(table, package) for table in self.top.tables(name)]

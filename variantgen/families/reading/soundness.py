@@ -7,10 +7,10 @@ spoil a batch; here such variants are found.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from msgspec import Struct
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.family import ComponentTemplate, Form
@@ -19,8 +19,7 @@ from variantgen.mechanism.arithmetic import Flags, Real
 from variantgen.mechanism.component import field_specs
 
 
-@dataclass(frozen=True)
-class Demand:
+class Demand(Struct, frozen=True):
     """What an expression must meet: ``allowed`` values (a word's numbers), or a ``least`` value (strict or not)."""
 
     key: str

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+
+from msgspec import Struct, field
 
 from variantgen.figure.alt_text import directions
 from variantgen.figure.alt_text.drawn import DrawnMechanism
@@ -12,8 +13,7 @@ from variantgen.mechanism.arithmetic import Real
 from variantgen.wording.formula import Symbol, to_plain
 
 
-@dataclass(frozen=True)
-class RateArrow:
+class RateArrow(Struct, frozen=True):
     """A given rate: the phrase, its symbol and, for a straight arrow, the point and the way on paper (unit)."""
 
     phrase: str
@@ -22,8 +22,7 @@ class RateArrow:
     way: complex = 0j
 
 
-@dataclass(frozen=True)
-class Noun:
+class Noun(Struct, frozen=True):
     """Words that inflect: ``{body}`` in a phrase is the plain form, ``{body.of}`` the one that a language calls so."""
 
     look_up: Callable[[str], str]  # from "" or the point and the name of a form, ``.of``
@@ -35,7 +34,6 @@ class Noun:
         return self.look_up(f".{form}")
 
 
-@dataclass
 class AltText(DrawnMechanism):
     """What a phrase may need of a figure that has been drawn on ``board``.
 

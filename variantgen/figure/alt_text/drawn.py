@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from itertools import pairwise
+
+from msgspec import Struct
 
 from variantgen.families.figure_hints import DiscMark
 from variantgen.figure.board import Board
@@ -23,16 +24,14 @@ def _is_spelled(body: str, points: tuple[str, ...]) -> bool:
     return "".join(spelled) == body and set(spelled) <= set(points)
 
 
-@dataclass(frozen=True)
-class DrawnCircle:
+class DrawnCircle(Struct, frozen=True):
     """A circle of the figure: its mark, its radius on paper (u)."""
 
     mark: DiscMark
     radius: float
 
 
-@dataclass
-class DrawnMechanism:
+class DrawnMechanism(Struct, dict=True):
     """The points and bodies of a figure that has been drawn on ``board``, as the figure names and draws them."""
 
     board: Board

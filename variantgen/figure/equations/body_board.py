@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, fields
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import asdict
 from numpy.typing import NDArray
 
 from variantgen.families.family import Form
@@ -41,8 +42,7 @@ _AROUND = np.exp(1j * np.radians(np.arange(0, 360, 15)))
 _SAMPLES = np.linspace(0.0, 1.0, 12)
 
 
-@dataclass(frozen=True)
-class FigureSubject:
+class FigureSubject(Struct, frozen=True):
     """A mechanism for figures that mark a ``geometry``.
 
     ``poses`` are the directions (rad) in which the supports stand in the figure of the statement. With ``true_scale``
@@ -67,7 +67,7 @@ class FigureSubject:
     def board(self, scale: float) -> MotionBoard:
         """The mechanism without the data of the statement."""
         plain = self.mechanism.board(False, scale=scale, poses=self.poses)
-        return MotionBoard(**{spec.name: getattr(plain, spec.name) for spec in fields(plain)})
+        return MotionBoard(**asdict(plain))
 
 
 class BodyBoard:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Sequence
-from dataclasses import replace
 
 import numpy as np
+from msgspec.structs import replace
 
 from variantgen.figure.drawing import THIN, Arc, Layer
 from variantgen.figure.equations.body_board import FigureSubject

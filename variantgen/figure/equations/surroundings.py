@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain, combinations
 
 import numpy as np
+from msgspec import Struct
 from numpy.typing import NDArray
 
 from variantgen.figure.drawing import THIN, Arc, Line, Path, Strokes
@@ -28,8 +28,7 @@ _LIGHTER = 0.6  # lines of the mechanism in proportion to those of the statement
 Places = NDArray[np.complex128]
 
 
-@dataclass(frozen=True)
-class Surroundings:
+class Surroundings(Struct, frozen=True, dict=True):
     """The places (u) near the ``points`` of a body, near the bars between its ``members`` and its ``rims``.
 
     What is nearer to one of the ``others``, the points that are not drawn, is its symbol or its part of a link.

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass, replace
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.algebra.name import Name
 from variantgen.figure.board import Board
@@ -21,8 +23,7 @@ from variantgen.wording.solution.quantity_symbols import Symbols
 _NOTHING = 1e-9  # of the greatest velocity
 
 
-@dataclass(frozen=True)
-class ContactPoint:
+class ContactPoint(Struct, frozen=True):
     """A point of a body about ``centre`` where it touches another or a thread: its place (m) and velocity (m/s).
 
     One that ``rests`` on something fixed, and is no point of the mechanism, bears the letter of the velocity centre.

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import fields
 from functools import partial
 
 import numpy as np
+from msgspec.structs import asdict
 
 from variantgen.figure.board import Board
 from variantgen.figure.build import Mechanism
@@ -40,7 +40,7 @@ class MotionBoard(Board):
     Vectors shorter than ``least`` (u) are drawn with this length.
     """
 
-    least = LEAST
+    least: float = LEAST
 
     def centre_of_rotation(self, body: str) -> str:
         """The pivot, or the middle of a bar or plate without a fixed point."""
@@ -114,7 +114,7 @@ def _fitted(
     """The figure on a mechanism of the size with which everything is on the paper."""
     for _ in range(_TRIES):
         plain = base(size=size)
-        board = MotionBoard(**{spec.name: getattr(plain, spec.name) for spec in fields(plain)})
+        board = MotionBoard(**asdict(plain))
         board.least = least
         annotate(board, stretch)
         low, high = board.sketch.corners()

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
+
+from msgspec import Struct
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.parameters.units import Unit, unit
@@ -19,8 +20,7 @@ from variantgen.variants.printed_data import shown_points
 _NOTHING = 1e-9  # of the largest vector
 
 
-@dataclass(frozen=True)
-class MovingMechanism(Mechanism):
+class MovingMechanism(Mechanism, frozen=True, dict=True):
     """A mechanism with the numbers of its motion: what all figures of its solution have in common."""
 
     @cached_property
@@ -39,8 +39,7 @@ class MovingMechanism(Mechanism):
         return chain_of(self.variant.form, self.now, self.asked, self.shown)
 
 
-@dataclass(frozen=True)
-class MotionData:
+class MotionData(Struct, frozen=True):
     """One variant with its chain, its numbers and the unit of its vectors."""
 
     chain: VectorChain

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
 from decimal import Decimal
 
 import numpy as np
+from msgspec import Struct, field
+from msgspec.structs import replace
 
 from variantgen.families.parameters.units import Unit
 from variantgen.families.parameters.units import unit as unit_of
@@ -31,8 +32,7 @@ _BAR = 26.0  # longest scale bar, u
 _BELOW = 7.5  # between plan and scale bar, u
 
 
-@dataclass(frozen=True)
-class PlanVector:
+class PlanVector(Struct, frozen=True):
     """An arrow of a plan from ``start`` to ``end`` (m/s or m/s^2 from the pole); ``whole`` for one from the pole."""
 
     start: complex
@@ -41,8 +41,7 @@ class PlanVector:
     whole: bool = False
 
 
-@dataclass
-class VectorPlan:
+class VectorPlan(Struct):
     """What a plan shows: letters at ends of vectors, the vectors, construction lines (end, direction), edges of plates.
 
     Everything in m/s or m/s^2 from the pole.
@@ -60,8 +59,7 @@ class VectorPlan:
         return [0j, *(end for _, end in self.ends), *(p for vector in self.vectors for p in (vector.start, vector.end))]
 
 
-@dataclass(frozen=True)
-class PlanScale:
+class PlanScale(Struct, frozen=True):
     """One millimetre on paper stands for ``value`` of ``unit``."""
 
     value: Decimal

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from variantgen.figure.motion.motion_data import MovingMechanism
 from variantgen.methods.compose import named_vectors
@@ -16,8 +17,7 @@ from variantgen.wording.solution.quantity_symbols import Symbols
 Named = list[tuple[Symbol, complex]]
 
 
-@dataclass(frozen=True)
-class Vectors:
+class Vectors(Struct, frozen=True):
     """Vectors (m/s or m/s^2) and rates of one order, as a solution names them in a language."""
 
     task: Task

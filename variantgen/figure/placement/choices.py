@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
 from itertools import islice
 
 import numpy as np
+from msgspec import Struct, field
 
 from variantgen.figure.drawing import THIN, Layer, Path
 from variantgen.figure.ink import boxes_crossed, crosses
@@ -23,8 +23,7 @@ _AWAY = complex(1e6, 1e6)  # far from all paper
 _LEADER_GAP = 0.35  # between a leader and its label or the symbol, u
 
 
-@dataclass
-class LabelChoice:
+class LabelChoice(Struct):
     """The candidates of one label with what they cost apart from other labels, and the one that is taken.
 
     The last ones need a leader: to the ``ends``, shape (L,).

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import cmath
 import math
-from dataclasses import dataclass, field
 from functools import lru_cache
 
 import numpy as np
+from msgspec import Struct
 from numpy.typing import NDArray
 
 from variantgen.figure.drawing import LETTER
@@ -25,8 +25,7 @@ def label_size(formula: Formula) -> tuple[float, float]:
     return LETTER * found.width, LETTER * (found.top - found.bottom)
 
 
-@dataclass(eq=False)
-class LabelRequest:
+class LabelRequest(Struct, eq=False):
     """A label to be placed: the formula, the point it names, candidate centres and their own costs, shape (P,).
 
     ``extent`` are further points of what it names (an arc), that no other label should be nearer to than to its own.
@@ -43,8 +42,8 @@ class LabelRequest:
     clear: float = 0.0
     vector: bool = False
     further: tuple[complex, ...] = ()
-    box: tuple[float, float] = field(init=False)
-    own: tuple[complex, ...] = field(init=False)
+    box: tuple[float, float] = (0.0, 0.0)
+    own: tuple[complex, ...] = ()
 
     def __post_init__(self) -> None:
         width, height = label_size(self.formula)

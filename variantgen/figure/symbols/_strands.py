@@ -8,8 +8,9 @@ block, keeps it, and the sheave of the block is as wide as that demands, or stan
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import NamedTuple
+
+from msgspec import Struct
 
 from variantgen.figure.board import Board
 from variantgen.figure.sketch import HINGE
@@ -25,8 +26,7 @@ _CLEAR = 0.8  # between a strand and the load beside it
 _BEFORE = 5.8  # from a block in its guide to its sheaves, u
 
 
-@dataclass
-class Strand:
+class Strand(Struct):
     """A straight piece on paper: its ends, which lie on its line, and the direction from the first to the second."""
 
     start: complex

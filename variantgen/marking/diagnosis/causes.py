@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+
+from msgspec import Struct, field
 
 from variantgen.exam.sheets import Answer
 from variantgen.marking.key import is_right, scale
@@ -28,8 +29,7 @@ _TIED = 0.02  # tolerances by which results differ that no one can tell apart: t
 _SAME = 1e-9
 
 
-@dataclass(frozen=True)
-class Cause:
+class Cause(Struct, frozen=True):
     """Why an answer may be wrong: one of ``marking_policy.CAUSES``, and what it is about (a mistake, a quantity)."""
 
     name: str
@@ -39,8 +39,7 @@ class Cause:
 OTHER = Cause("other")
 
 
-@dataclass(frozen=True)
-class Comparisons:
+class Comparisons(Struct, frozen=True):
     """What else a number may be: of the student's own sheet, and results of plausible mistakes.
 
     ``siblings`` are the other answers of the sheet by ``problem.quantity``; ``parts`` components and magnitudes of the

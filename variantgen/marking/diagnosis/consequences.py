@@ -14,11 +14,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 from itertools import product
 from typing import Any
 
 import numpy as np
+from msgspec.structs import replace
 
 from variantgen.families.quantities import Quantity
 from variantgen.marking.diagnosis.derived import DerivedMotion

@@ -15,10 +15,11 @@ Which of them a solution uses is not asked: a number that it gives is confirmed 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from variantgen.families.quantities import Quantity
@@ -268,8 +269,7 @@ class DerivedMotion:
         self.v_rel[point] = few(found)
 
 
-@dataclass(frozen=True)
-class _Slide:
+class _Slide(Struct, frozen=True):
     """A point that slides on a body, and its right relative velocity."""
 
     point: str

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
 
 import numpy as np
+from msgspec.structs import replace
 
 from variantgen.families.parameters.draw_rules import frame
 from variantgen.families.quantities import Quantity, motion_order, split_name

@@ -8,9 +8,9 @@ of ``a_S = a_P + i epsilon r - omega^2 r + 2 i omega v_rel + a_rel`` and keeps t
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 import numpy as np
+from msgspec.structs import replace
 
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity

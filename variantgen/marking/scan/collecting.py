@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Generator, Mapping, Sequence
 from contextlib import closing
-from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
+from msgspec import Struct, field
+from msgspec.structs import replace
 
 from variantgen.exam import answer_page
 from variantgen.marking.answer_tables import HandedIn, NotMatched
@@ -27,8 +28,7 @@ _BLANK_SHARE = 2e-4  # of dark pixels: what has fewer is the empty back of a pag
 _MISSING, _NOT_READ = "page missing", "page not read"
 
 
-@dataclass(frozen=True)
-class LostPage:
+class LostPage(Struct, frozen=True):
     """A page that may have answers and could not be read, with a picture (PNG) of it where there is one."""
 
     where: str
@@ -36,8 +36,7 @@ class LostPage:
     picture: bytes = b""
 
 
-@dataclass(frozen=True)
-class SeenPage:
+class SeenPage(Struct, frozen=True):
     """A page for answers of a student whose code was read: where it is, and how it lies there.
 
     ``number`` is that of the page for answers, ``within`` that of the page within its file, from 1; ``asked`` are its
@@ -53,8 +52,7 @@ class SeenPage:
     why: str = ""
 
 
-@dataclass
-class Scans:
+class Scans(Struct):
     """What the scans of a class hold, by question; ``lost`` are pages that a person should look at.
 
     ``pages`` are those of each student, by the place of the student.

@@ -7,10 +7,11 @@ nobody decides but a person, or the key.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from functools import cache
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from variantgen.exam import answer_page as page
@@ -34,8 +35,7 @@ _CROSSES = 0.15  # of the marks: who has more crosses than that marks by them
 _WRITTEN, _SHARE_WRITTEN = 0.007, 0.018  # least darkness of a box that has been written in, and share of the usual mark
 
 
-@dataclass(frozen=True)
-class Column:
+class Column(Struct, frozen=True):
     """A column as it was read: its value (None: blank), and ``doubt``, why a person should look ('' if none).
 
     ``others`` are the values that it may have instead; ``open`` says that no value is more likely than others.

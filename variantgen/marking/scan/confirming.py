@@ -9,13 +9,13 @@ weak mark did not: what costs a mark is looked at first.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from variantgen.marking.scan.numbers import Reading
 
 
-@dataclass(frozen=True)
-class Confirmed:
+class Confirmed(Struct, frozen=True):
     """A reading that stands (``text``, '' for blank), or one for a person to look at: then ``why``, in short words.
 
     One that ``may_follow`` stands if it is right given the student's earlier answers.

@@ -7,15 +7,15 @@ contradict each other.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from variantgen.marking.scan.confirming import Confirmed
 
 DIFFER = "pages differ"
 
 
-@dataclass(frozen=True)
-class ScannedAnswer:
+class ScannedAnswer(Struct, frozen=True):
     """An answer on a page: where it was read, how, and for doubtful ones a picture (PNG).
 
     ``others`` are the numbers that it may say instead, ``seen`` the bubbles of doubtful columns (see

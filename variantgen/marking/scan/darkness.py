@@ -6,10 +6,10 @@ a bubble counts without what is printed in it, which empty bubbles of the page s
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
+from msgspec import Struct
 from numpy.typing import NDArray
 
 from variantgen.exam import answer_page as page
@@ -26,8 +26,7 @@ _BESIDE, _SLOPES = 0.85, np.arange(30.0, 61.0, 6.0)
 _LABELS = 0.05  # by how much the print in bubbles may differ from digit to digit
 
 
-@dataclass(frozen=True)
-class Darkness:
+class Darkness(Struct, frozen=True):
     """What was measured of the blocks of a page: arrays of shape (blocks, bubbles) and (blocks, boxes).
 
     ``bubbles`` is the darkness beyond that of empty ones, ``boxes`` that of the boxes to write in; ``beside`` is that

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
 from pathlib import Path
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam.marking_policy import MarkingPolicy
@@ -20,8 +22,7 @@ from variantgen.marking.scan.review import typed_before
 from variantgen.marking.typed_number import read_number
 
 
-@dataclass(frozen=True)
-class Joined:
+class Joined(Struct, frozen=True):
     """The answers of tables and scans together; what was read from the scans, and what was typed by question."""
 
     answers: ReadAnswers

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from itertools import chain, islice, product
+
+from msgspec import Struct
 
 from variantgen.exam import answer_page as page
 from variantgen.marking.scan.columns import Column
@@ -12,8 +13,7 @@ from variantgen.marking.scan.columns import Column
 _MOST = 64  # other readings that are tried
 
 
-@dataclass(frozen=True)
-class Reading:
+class Reading(Struct, frozen=True):
     """An answer as it was read: ``text`` like ``-12.5``, '' for a blank one, None where it is no number.
 
     ``doubts`` say why a person should look, each reason once; ``doubtful`` columns have them. Only a reading that

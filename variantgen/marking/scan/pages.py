@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass, replace
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.marking.scan.columns import columns
 from variantgen.marking.scan.darkness import Darkness, darkness
@@ -19,8 +20,7 @@ _FAINTEST = 5.0  # grey levels by which outlines must be darker than paper to be
 _UNCLEAR = 0.3  # of the usual contrast of outlines: a block with less is not seen well
 
 
-@dataclass(frozen=True)
-class PageCode:
+class PageCode(Struct, frozen=True):
     """What the code of a page says: the form of the code, the short name of the build, the code of the sheet.
 
     ``number`` is that of the page for answers, 0 for a page of problems.
@@ -32,8 +32,7 @@ class PageCode:
     number: int
 
 
-@dataclass(frozen=True)
-class ReadPage:
+class ReadPage(Struct, frozen=True):
     """A page as it was read; where it was not, ``why``. ``placed`` tells where its blocks are in the picture."""
 
     where: str

@@ -6,11 +6,11 @@ import importlib
 import io
 import warnings
 from collections.abc import Generator, Iterator
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from msgspec import Struct
 from numpy.typing import NDArray
 
 from variantgen.errors import InputError, Problem, missing_package
@@ -29,8 +29,7 @@ _HALVED = 3000  # pixels of a page along its long side from which half of them a
 _COVERED = 0.9  # of a page that a scan takes
 
 
-@dataclass(frozen=True)
-class ScanImage:
+class ScanImage(Struct, frozen=True):
     """A page of a file: where it is from, and its grey levels, an array of rows; None where ``why`` it has none."""
 
     where: str

@@ -7,10 +7,10 @@ it is off by more than a bubble at the fourth corner, and nothing says so.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from msgspec import Struct
 from numpy.typing import NDArray
 
 from variantgen.exam import answer_page as page
@@ -25,16 +25,14 @@ _SOLID, _LONGEST = 0.86, 1.8  # how much of its outline it fills; how much longe
 _FINE = 2.4  # pixels to the millimetre that marks are looked for with
 
 
-@dataclass(frozen=True)
-class Code:
+class Code(Struct, frozen=True):
     """A QR code of a picture: its text, and its corners in pixels, an array of shape (4, 2), the upper left first."""
 
     text: str
     corners: Points
 
 
-@dataclass(frozen=True)
-class Placed:
+class Placed(Struct, frozen=True):
     """How a page lies in a picture: ``matrix`` maps (x, y, 1) in mm to pixels, an array of shape (3, 3)."""
 
     matrix: Points

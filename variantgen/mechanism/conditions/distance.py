@@ -2,30 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from msgspec import Struct
 
-import numpy as np
-
-from variantgen.mechanism.arithmetic import Complex, Real
 from variantgen.mechanism.component import PointName, Size
+from variantgen.mechanism.condition import VectorProduct
 
 
-@dataclass(frozen=True)
-class Distance:
+class Distance(Struct, frozen=True):
     """``|z_end - z_start| = length``."""
 
     start: PointName
     end: PointName
     length: Size
 
-    def value(self, at: Mapping[str, Complex]) -> Real:
-        """Distance less the wanted one (m)."""
-        return np.abs(at[self.end] - at[self.start]) - self.length
-
-    def gradient(self, at: Mapping[str, Complex]) -> dict[str, Complex]:
-        """The unit vector start -> end, for the end; its negative for the start."""
-        step = np.asarray(at[self.end] - at[self.start])
-        length = np.abs(step)
-        ray = np.where(length > 0, step, 1.0) / np.where(length > 0, length, 1.0)
-        return {self.start: -ray, self.end: ray}
+    def product(self) -> VectorProduct:
+        """``|d|^2 / (2 length) = length / 2`` with d from the start to the end."""
+        way = (self.start, self.end)
+        return VectorProduct(way, way, 0.5 / self.length, 0.5 * self.length)

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
+from msgspec import Struct
 
 from variantgen.mechanism.arithmetic import Complex, Flags, Real, unit_towards
 from variantgen.mechanism.component import PointName, Side, Size
@@ -28,8 +28,7 @@ def sixteen_area_squared(a: Real, b: Real, c: Real) -> Real:
     return result
 
 
-@dataclass(frozen=True)
-class CircleCircle:
+class CircleCircle(Struct, frozen=True):
     """The point at ``first_distance`` from ``first`` and ``second_distance`` from ``second``.
 
     With d the distance of the centres and u the unit vector first -> second::

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import ClassVar
+
+from msgspec import Struct
 
 from variantgen.mechanism.arithmetic import Complex, Flags
 from variantgen.mechanism.component import Length
 from variantgen.mechanism.outcome import Outcome
 
 
-@dataclass(frozen=True)
-class Coordinates:
+class Coordinates(Struct, frozen=True):
     """``z = x + i y`` (m)."""
 
     x: Length

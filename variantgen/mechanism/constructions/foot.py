@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import ClassVar
+
+from msgspec import Struct
 
 from variantgen.mechanism.arithmetic import Complex, Flags, dot, unit_towards, unit_vector
 from variantgen.mechanism.component import Angle, PointName
 from variantgen.mechanism.outcome import Outcome
 
 
-@dataclass(frozen=True)
-class Foot:
+class Foot(Struct, frozen=True):
     """``z = z_through + (u . (z_of - z_through)) u`` for the line through a point along ``angle`` or ``towards``."""
 
     of: PointName

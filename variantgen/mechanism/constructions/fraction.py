@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import ClassVar
+
+from msgspec import Struct
 
 from variantgen.mechanism.arithmetic import Complex, Flags
 from variantgen.mechanism.component import PointName, Ratio
 from variantgen.mechanism.outcome import Outcome
 
 
-@dataclass(frozen=True)
-class SegmentFraction:
+class SegmentFraction(Struct, frozen=True):
     """``z = z_start + part * (z_end - z_start)``; part 0.5 is the middle."""
 
     start: PointName

@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
+from msgspec import Struct
 
 from variantgen.mechanism.arithmetic import Complex, Flags, cross, dot, unit_towards, unit_vector
 from variantgen.mechanism.component import Angle, PointName, Sense, Size
 from variantgen.mechanism.outcome import Outcome
 
 
-@dataclass(frozen=True)
-class LineCircle:
+class LineCircle(Struct, frozen=True):
     """The point of a line at ``distance`` from ``centre``.
 
     The line passes through ``through`` in the direction ``angle`` (rad) or, where ``towards`` names a point, through

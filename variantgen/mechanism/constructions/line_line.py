@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
+from msgspec import Struct
 
 from variantgen.mechanism.arithmetic import EPS, Complex, Flags, cross, unit_towards, unit_vector
 from variantgen.mechanism.component import Angle, PointName
 from variantgen.mechanism.outcome import Outcome
 
 
-@dataclass(frozen=True)
-class LineLine:
+class LineLine(Struct, frozen=True):
     """The crossing of the line through ``first`` and the line through ``second``.
 
     Each line has the direction of its angle (rad) or passes through a second point (``first_towards``,

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import ClassVar
+
+from msgspec import Struct
 
 from variantgen.mechanism.arithmetic import Complex, Flags, unit_towards
 from variantgen.mechanism.component import Length, PointName
 from variantgen.mechanism.outcome import Outcome
 
 
-@dataclass(frozen=True)
-class OnBody:
+class OnBody(Struct, frozen=True):
     """``z = z_origin + (along + i*across) * u`` with u the unit vector origin -> towards; across counts to its left."""
 
     origin: PointName

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import ClassVar
+
+from msgspec import Struct
 
 from variantgen.mechanism.arithmetic import Complex, Flags, unit_towards, unit_vector
 from variantgen.mechanism.component import Angle, Length, PointName
 from variantgen.mechanism.outcome import Outcome
 
 
-@dataclass(frozen=True)
-class Polar:
+class Polar(Struct, frozen=True):
     """``z = z_origin + distance * exp(i*angle)``.
 
     The angle (rad, counter-clockwise) is counted from the x axis or, where ``towards`` names a point, from the ray

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
+from msgspec import Struct
 
 from variantgen.mechanism.arithmetic import Complex, Flags
 from variantgen.mechanism.component import Length, PointName, Radius, Side
@@ -33,8 +33,7 @@ def thread_direction(
     return ray, safe * cosine, exists
 
 
-@dataclass(frozen=True)
-class Tangent:
+class Tangent(Struct, frozen=True):
     """The tangent point on the drum (centre, radius) of a thread that runs to the drum (to, to_radius).
 
     ``z = z_centre + i * side * radius * u`` with u the direction of the thread, centre -> to; the sides count

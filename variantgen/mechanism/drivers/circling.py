@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
+from msgspec import Struct
 
 from variantgen.mechanism.arithmetic import Complex, Real, cross, dot, unit_vector
 from variantgen.mechanism.component import Acceleration, BodyName, PointName, Velocity
 from variantgen.mechanism.rows import Placement, ScalarRow, Shape, Speeds
 
 
-@dataclass(frozen=True)
-class Circling:
+class Circling(Struct, frozen=True):
     """The arc s that ``point`` covers about ``centre`` (C, a point of ``body``) changes at given rates.
 
     Goes with an arc slot, which keeps the radius R = |d|, d = z - z_C. With e = d/R, n = i e, s counter-clockwise (a

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
+from msgspec import Struct
 
 from variantgen.mechanism.arithmetic import Complex, Real, dot
 from variantgen.mechanism.component import Acceleration, PointName, Velocity
 from variantgen.mechanism.rows import Placement, ScalarRow, Shape, Speeds
 
 
-@dataclass(frozen=True)
-class Extension:
+class Extension(Struct, frozen=True):
     """The distance d of two points grows at the rate v, which grows at the rate a; e is the unit vector start -> end::
 
     e.(v_end - v_start) = v

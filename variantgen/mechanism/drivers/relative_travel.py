@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import ClassVar
+
+from msgspec import Struct
 
 from variantgen.mechanism.arithmetic import Complex, Real, cross, dot, unit_towards, unit_vector
 from variantgen.mechanism.component import Acceleration, BodyName, PointName, Velocity
 from variantgen.mechanism.rows import Placement, ScalarRow, Shape, Speeds
 
 
-@dataclass(frozen=True)
-class RelativeTravel:
+class RelativeTravel(Struct, frozen=True):
     """The coordinate s of ``point`` along the line of ``body`` through the points ``along`` changes at given rates.
 
     With u the unit vector of the line (towards its second point), A its first point, n = i u, d = z - z_A, h = n.d::

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from variantgen.mechanism.arithmetic import Complex, Real
 from variantgen.mechanism.component import AngularAcceleration, AngularVelocity, BodyName
 from variantgen.mechanism.rows import Placement, ScalarRow, Shape, Speeds
 
 
-@dataclass(frozen=True)
-class Rotation:
+class Rotation(Struct, frozen=True):
     """``omega_body = omega``, ``epsilon_body = epsilon`` (scene frame; a mirrored scene turns the other way).
 
     With ``relative_to`` the difference to that body is prescribed: ``omega_body - omega_other = omega`` and so on.

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from variantgen.mechanism.arithmetic import Complex, Real, dot
 from variantgen.mechanism.component import Acceleration, Angle, PointName, Velocity
 from variantgen.mechanism.rows import Placement, ScalarRow, Shape, Speeds
 
 
-@dataclass(frozen=True)
-class Travel:
+class Travel(Struct, frozen=True):
     """``u.v_point = v``, ``u.a_point = a`` with u the fixed direction ``angle`` (rad, scene frame)."""
 
     point: PointName

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
+from msgspec import Struct
 
 from variantgen.mechanism.arithmetic import Complex, Real, dot, unit_vector
 from variantgen.mechanism.component import Acceleration, Angle, PointName, Velocity
 from variantgen.mechanism.rows import Placement, ScalarRow, Shape, Speeds
 
 
-@dataclass(frozen=True)
-class VectorMotion:
+class VectorMotion(Struct, frozen=True):
     """``v_point = v exp(i angle)``, ``a_point = a exp(i a_angle)``: both vectors are given (angles in the scene frame).
 
     Takes both freedoms of the point, where :class:`~variantgen.mechanism.drivers.travel.Travel` takes one.

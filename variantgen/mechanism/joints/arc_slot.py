@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
@@ -13,8 +12,7 @@ from variantgen.mechanism.component import BodyName, PointName
 from variantgen.mechanism.rows import Joint, Placement, ScalarRow, Shape, Sliding, Speeds
 
 
-@dataclass(frozen=True)
-class ArcSlot(Joint):
+class ArcSlot(Joint, frozen=True):
     """``point`` slides along an arc about ``centre`` (C), a point of ``body`` or, without a body, a place at rest.
 
     The radius d = z - z_C keeps its length, ``|d| = const``; with its unit vector e::

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
@@ -14,8 +13,7 @@ from variantgen.mechanism.pitch import can_touch, line_of_centres, other_radius
 from variantgen.mechanism.rows import BodyContact, Joint, JointCircle, Placement, ScalarRow, Shape, Speeds
 
 
-@dataclass(frozen=True)
-class Gears(Joint):
+class Gears(Joint, frozen=True):
     """The pitch circle of ``body`` (``centre`` A, ``radius`` r) rolls on that of ``other`` (``other_centre`` C).
 
     ``inside``: the first gear meshes with a ring gear from inside. Without ``other`` the second gear is fixed. What

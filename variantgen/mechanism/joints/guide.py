@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from variantgen.mechanism.arithmetic import Complex, Real, cross
 from variantgen.mechanism.component import Angle, PointName
 from variantgen.mechanism.rows import Joint, Placement, ScalarRow, Shape, Speeds
 
 
-@dataclass(frozen=True)
-class Guide(Joint):
+class Guide(Joint, frozen=True):
     """The point stays on the line through its place in the direction ``angle`` (rad, scene frame).
 
     With n the normal of the line: ``n.(z - z_start) = 0``, ``n.v = 0``, ``n.a = 0``.

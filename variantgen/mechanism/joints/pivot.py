@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from variantgen.mechanism.arithmetic import Complex, Real
@@ -11,8 +9,7 @@ from variantgen.mechanism.component import PointName
 from variantgen.mechanism.rows import Joint, Placement, Shape, Speeds, VectorRow
 
 
-@dataclass(frozen=True)
-class Pivot(Joint):
+class Pivot(Joint, frozen=True):
     """``z_P = const``, ``v_P = 0``, ``a_P = 0``."""
 
     point: PointName

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
@@ -23,8 +22,7 @@ from variantgen.mechanism.rows import (
 )
 
 
-@dataclass(frozen=True)
-class Rolling(Joint):
+class Rolling(Joint, frozen=True):
     """A wheel rolls on the straight line that touches it at ``contact``.
 
     The line is at rest, or belongs to the body ``on``, of which ``on_point`` (Q) is any point. The two material points

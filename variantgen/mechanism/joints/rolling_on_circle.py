@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
@@ -14,8 +13,7 @@ from variantgen.mechanism.pitch import can_touch, line_of_centres, other_radius
 from variantgen.mechanism.rows import BodyContact, Joint, JointCircle, Placement, Shape, Speeds, VectorRow
 
 
-@dataclass(frozen=True)
-class RollingOnCircle(Joint):
+class RollingOnCircle(Joint, frozen=True):
     """A wheel (centre O, ``radius`` r) rolls on the circle about the point ``around`` (C), outside it or ``inside``.
 
     The radius of the circle follows from the distance d = z_O - z_C: |d| - r outside, |d| + r inside. The circle is at

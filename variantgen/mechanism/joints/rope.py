@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import Annotated, ClassVar, TypeAlias
 
 import numpy as np
+from msgspec import Struct
 
 from variantgen.mechanism.arithmetic import Complex, Flags, Real, cross, dot
 from variantgen.mechanism.component import Angle, BodyName, PointName, Radius, Side, WordMeaning
@@ -26,8 +26,7 @@ _NEAR = 0.25
 _UPRIGHT = 1e-6  # cosine of a direction: less is none
 
 
-@dataclass(frozen=True)
-class Bend:
+class Bend(Struct, frozen=True):
     """A station of a rope: an end, a pulley, or a drum or a wheel that the rope does not slip on.
 
     The rope touches the circle of ``radius`` about ``point`` on the left or right ``side`` of its way; radius 0 is the
@@ -45,8 +44,7 @@ class Bend:
     belongs: ClassVar[Mapping[str, str]] = {"point": "body"}
 
 
-@dataclass(frozen=True)
-class Rope(Joint):
+class Rope(Joint, frozen=True):
     """The length of the rope along its ``path`` of bends is constant.
 
     With u_j the direction of straight piece j (from bend j to j+1), l_j its length, n_j = i u_j, and for a drum of

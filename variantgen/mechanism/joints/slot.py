@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import ClassVar
 
 from variantgen.mechanism.arithmetic import Complex, Flags, Real, cross, dot, unit_towards, unit_vector
@@ -11,8 +10,7 @@ from variantgen.mechanism.component import BodyName, PointName
 from variantgen.mechanism.rows import Joint, Placement, ScalarRow, Shape, Sliding, Speeds
 
 
-@dataclass(frozen=True)
-class Slot(Joint):
+class Slot(Joint, frozen=True):
     """``point`` slides along the line of ``body`` through the two body points ``along``.
 
     With u the unit vector along the line (it turns with the body), n = i u, A the first point of the line and

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from variantgen.mechanism.arithmetic import Complex, Real
 from variantgen.mechanism.component import BodyName
 from variantgen.mechanism.rows import Joint, Placement, ScalarRow, Shape, Speeds
 
 
-@dataclass(frozen=True)
-class Translation(Joint):
+class Translation(Joint, frozen=True):
     """``phi = const``, ``omega = 0``, ``epsilon = 0``."""
 
     body: BodyName

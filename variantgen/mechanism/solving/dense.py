@@ -8,18 +8,17 @@ Nothing of the solver's order, poles and blocks is used.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from msgspec import Struct
 
 from variantgen.mechanism.motion import ComplexField, Field, Motion
 from variantgen.mechanism.rows import Placement, ScalarRow, Speeds, VectorRow
 from variantgen.mechanism.scene import Scene
 
 
-@dataclass(frozen=True)
-class Rates:
+class Rates(Struct, frozen=True):
     """Velocities or accelerations of points (complex) and bodies, shape (N,) each."""
 
     points: Mapping[str, ComplexField]

@@ -6,10 +6,10 @@ Every point is reached by a step from its pole; each step is worked out once and
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
+from msgspec import Struct
 
 from variantgen.mechanism.arithmetic import Complex, Real
 from variantgen.mechanism.rows import Row, ScalarRow, VectorRow
@@ -30,8 +30,7 @@ Rows: TypeAlias = list[tuple[Row, ...]]
 RightHandSide: TypeAlias = tuple[Real, Real]
 
 
-@dataclass(frozen=True)
-class _PoleStep:
+class _PoleStep(Struct, frozen=True):
     """What a step adds: ``form``, the velocity of its point less that of its pole by unknown; ``arm`` (m), from the
     pole to the point where both belong to a body.
     """

@@ -3,31 +3,41 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import reduce
 
 import numpy as np
+from msgspec import Struct
+from numpy.typing import NDArray
 
 from variantgen.mechanism.arithmetic import Flags, Real, snap_to_zero
+from variantgen.mechanism.small_matrices import inverse
 
 # Below this scaled determinant a double has no digits left for the accelerations (they lose its square).
 SINGULAR = 1e-9
 
 
-@dataclass(frozen=True)
-class ScaledEquation:
+class ScaledEquation(Struct, frozen=True):
     """One equation: coefficient by unknown, and the size of each before cancellation (for scaling)."""
 
     coefficients: dict[int, Real]
     sizes: dict[int, Real]
 
 
-@dataclass(frozen=True)
-class ScaledDeterminant:
+class ScaledDeterminant(Struct, frozen=True):
     """Scaled determinant of a block in [0, 1], and whether it is far enough from zero to divide by."""
 
     value: Real
     regular: Flags
+
+
+class ScaledInverse(ScaledDeterminant, frozen=True):
+    """Of a block of more than two equations: the smallest singular value of its scaled matrix in place of the
+    determinant, the inverse of that, shape (n, n, N), and the scales of rows and columns, shape (n, N).
+    """
+
+    inverse: NDArray[np.float64]
+    rows: NDArray[np.float64]
+    columns: NDArray[np.float64]
 
 
 def solve_block(
@@ -109,23 +119,24 @@ def _solve_many(
     sides: Sequence[tuple[Real, Real]],
     known: ScaledDeterminant | None,
 ) -> tuple[dict[int, Real], ScaledDeterminant]:
-    """LU of the scaled matrix, for groups of links that no dyad opens."""
-    entries = [[np.asarray(e.coefficients.get(u, 0.0)) for u in unknowns] for e in equations]
-    sizes = [[np.asarray(e.sizes.get(u, 0.0)) for u in unknowns] for e in equations]
-    right = [np.asarray(side) for side, _ in sides]
-    shape = np.broadcast_shapes(*(x.shape for row in entries for x in row), *(x.shape for x in right))
-    matrix, size = (
-        np.moveaxis(np.array([[np.broadcast_to(x, shape) for x in row] for row in table]), (0, 1), (-2, -1))
-        for table in (entries, sizes)
-    )
-    column = np.max(size, axis=-2, keepdims=True)
-    matrix, size = matrix / column, size / column
-    row = np.max(size, axis=-1, keepdims=True)
-    matrix = matrix / row
-    if known is None:
-        smallest = np.linalg.svd(matrix, compute_uv=False)[..., -1]
-        known = ScaledDeterminant(np.minimum(smallest, 1.0), smallest > SINGULAR)
-    safe = np.where(np.asarray(known.regular)[..., None, None], matrix, np.eye(len(unknowns)))
-    b = np.stack([np.broadcast_to(x, shape) for x in right], axis=-1)[..., None] / row
-    x = np.linalg.solve(safe, b)[..., 0] / column[..., 0, :]
-    return {u: x[..., i] for i, u in enumerate(unknowns)}, known
+    """By the inverse of the scaled matrix, for groups of links that no dyad opens."""
+    sine = known if isinstance(known, ScaledInverse) else _inverted(equations, unknowns)
+    right = [side / scale for (side, _), scale in zip(sides, sine.rows, strict=True)]
+    x = [reduce(np.add, (a * b for a, b in zip(row, right, strict=True))) for row in sine.inverse]
+    return {u: value / scale for u, value, scale in zip(unknowns, x, sine.columns, strict=True)}, sine
+
+
+def _inverted(equations: Sequence[ScaledEquation], unknowns: Sequence[int]) -> ScaledInverse:
+    """The inverse of a block's matrix whose columns, then rows, are scaled to one, and its smallest singular value."""
+    tables = [[getattr(e, name).get(u, 0.0) for u in unknowns] for e in equations for name in ("coefficients", "sizes")]
+    shape = np.broadcast_shapes((1,), *(np.shape(x) for row in tables for x in row))
+    both = np.array([[np.broadcast_to(x, shape) for x in row] for row in tables])
+    matrix, size = both[0::2], both[1::2]
+    columns = np.max(size, axis=0)
+    rows = np.max(size / columns, axis=1)
+    inverted, found = inverse(matrix / columns / rows[:, None])
+    # The largest eigenvalue has all its digits, and costs half of what the singular values of the matrix do.
+    square = np.einsum("ikn,jkn->nij", inverted, inverted)
+    smallest = np.where(found, 1.0 / np.sqrt(np.linalg.eigvalsh(square)[:, -1]), 0.0)
+    regular = smallest > SINGULAR
+    return ScaledInverse(np.minimum(smallest, 1.0), regular, np.where(regular, inverted, 0.0), rows, columns)

@@ -11,7 +11,7 @@ Everything here depends on names only, so one :class:`Plan` serves every batch o
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from variantgen.errors import InputError
 from variantgen.mechanism.rows import Shape
@@ -21,8 +21,7 @@ from variantgen.mechanism.solving.blocks import indeterminate, triangular_blocks
 from variantgen.mechanism.solving.placing_order import placing_order
 
 
-@dataclass(frozen=True)
-class GivenPoint:
+class GivenPoint(Struct, frozen=True):
     """The velocity of ``point`` is given by a vector row: constraint and row numbers, and the pole if there is one."""
 
     point: str
@@ -31,8 +30,7 @@ class GivenPoint:
     pole: str | None = None
 
 
-@dataclass(frozen=True)
-class GuidedPoint:
+class GuidedPoint(Struct, frozen=True):
     """``point`` moves along the line that a scalar row leaves to it; ``unknown`` is its speed there."""
 
     point: str
@@ -42,8 +40,7 @@ class GuidedPoint:
     pole: None = None
 
 
-@dataclass(frozen=True)
-class FreePoint:
+class FreePoint(Struct, frozen=True):
     """``point`` is reached by nothing; both components of its velocity are unknowns."""
 
     point: str
@@ -52,8 +49,7 @@ class FreePoint:
     pole: None = None
 
 
-@dataclass(frozen=True)
-class RigidPoint:
+class RigidPoint(Struct, frozen=True):
     """``point`` is a point of ``body``, with ``pole`` as the pole: ``v = v_pole + i omega (z - z_pole)``."""
 
     point: str
@@ -64,16 +60,14 @@ class RigidPoint:
 Step = GivenPoint | GuidedPoint | FreePoint | RigidPoint
 
 
-@dataclass(frozen=True)
-class RowEquation:
+class RowEquation(Struct, frozen=True):
     """A scalar row of a constraint."""
 
     constraint: int
     row: int
 
 
-@dataclass(frozen=True)
-class Closure:
+class Closure(Struct, frozen=True):
     """A second expression (``step``) for a point that is already reached; ``part`` 0 is its x, 1 its y component."""
 
     step: GivenPoint | RigidPoint
@@ -102,16 +96,14 @@ def _remedy(scene: Scene, equation: Equation) -> str:
     return scene.joints[known.constraint].when_surplus() if known.constraint < len(scene.joints) else ""
 
 
-@dataclass(frozen=True)
-class EquationBlock:
+class EquationBlock(Struct, frozen=True):
     """Equations and unknowns (numbers) that are solved together."""
 
     equations: tuple[int, ...]
     unknowns: tuple[int, ...]
 
 
-@dataclass(frozen=True)
-class Plan:
+class Plan(Struct, frozen=True):
     """Order of placing, of reaching and of solving; ``omega`` gives the unknown of each body.
 
     ``placing`` are the points placed by themselves, then ``together`` those that the conditions of the scene place,

@@ -9,10 +9,10 @@ bisection.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from enum import Enum
 
 import numpy as np
+from msgspec import Struct
 from numpy.typing import NDArray
 
 from variantgen.mechanism.arithmetic import dot
@@ -47,8 +47,7 @@ class StopReason(Enum):
     LENGTH = "length"
 
 
-@dataclass(frozen=True)
-class PathState:
+class PathState(Struct, frozen=True):
     """A position on the way: displacements q, shape (U,); tangent dq/ds; sign of the determinant; its placement."""
 
     way: float

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
+from msgspec import Struct
 
 from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.scene import Scene
 
 
-@dataclass(frozen=True)
-class Crank:
+class Crank(Struct, frozen=True):
     """The body that a single driver turns about a fixed point."""
 
     body: str

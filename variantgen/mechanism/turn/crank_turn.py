@@ -10,11 +10,11 @@ branch, which the next positions show beside their velocities, the variant is fo
 from __future__ import annotations
 
 from contextlib import suppress
-from dataclasses import replace
 from functools import cached_property
 from typing import TypeAlias
 
 import numpy as np
+from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from variantgen.mechanism.arithmetic import Complex

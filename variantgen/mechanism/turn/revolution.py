@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
+from msgspec.structs import replace
 
 from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.mechanism.motion import Motion

@@ -9,10 +9,11 @@ velocities and accelerations that are given for the instant, so that a curve tel
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
 from enum import Enum
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.mechanism.motion import ComplexField, Field, Motion
 from variantgen.mechanism.outcome import Outcome
@@ -41,8 +42,7 @@ class SweepEnd(Enum):
     LENGTH = "length"
 
 
-@dataclass(frozen=True)
-class LeadingDriver:
+class LeadingDriver(Struct, frozen=True):
     """The driver that measures the way: its number, whether it is an angle, its given rate per second (rad or m)."""
 
     number: int
@@ -50,8 +50,7 @@ class LeadingDriver:
     rate: float
 
 
-@dataclass(frozen=True)
-class Sweep:
+class Sweep(Struct, frozen=True):
     """Positions along the way, shape (K,): the motion there, the way (rad or m), the rotations of the bodies (rad).
 
     ``instant`` is the index of the instant of the problem; ``ends`` tell why the way ends below and above. ``clear``
@@ -130,8 +129,7 @@ def _is_angular(driver: Constraint) -> bool:
     return not any(shape.points for shape in driver.shapes())
 
 
-@dataclass(frozen=True)
-class _Traced:
+class _Traced(Struct, frozen=True):
     """States from the instant outwards, the way that they cover, and what stopped it (None: it was long enough)."""
 
     states: list[PathState]

@@ -9,9 +9,9 @@ that goes over to another branch, or cannot be assembled somewhere, has no motio
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import numpy as np
+from msgspec import Struct
 from numpy.typing import NDArray
 
 from variantgen.mechanism.motion import ComplexField, Field, Motion
@@ -29,8 +29,7 @@ _AT = DEGREE + 1
 _ROWS = 40_000  # instants that are solved at once
 
 
-@dataclass(frozen=True)
-class Pieces:
+class Pieces(Struct, frozen=True):
     """``count`` pieces of the intervals of some ``variants``, shape (n,), with their motion.
 
     ``middle`` (s), shape (n, count), and ``half`` (s), shape (n,), are those of the pieces. The motion has a row for

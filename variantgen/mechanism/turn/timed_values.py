@@ -6,9 +6,9 @@ What has no value (a motion that cannot be made, an instant that does not come) 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 
 import numpy as np
+from msgspec import Struct
 from numpy.typing import NDArray
 
 from variantgen.mechanism.motion import ComplexField, Field, Motion
@@ -27,8 +27,7 @@ _NEAR = 1e-5  # of the interval: about a zero, within which the quantity is a st
 _GAUSS, _WEIGHTS = np.polynomial.legendre.leggauss(20)
 
 
-@dataclass(frozen=True)
-class Top:
+class Top(Struct, frozen=True):
     """The largest value of a quantity in the interval (SI), and the instant (s) at which it is first reached."""
 
     value: Field
@@ -213,8 +212,7 @@ def change_per_second(timed: TimedMotion, vectors: Callable[[Motion], ComplexFie
     return found
 
 
-@dataclass(frozen=True)
-class _Tops:
+class _Tops(Struct, frozen=True):
     """Local tops of a quantity, at ends of pieces too: of which variant, at which instant (s), how high."""
 
     own: NDArray[np.intp]

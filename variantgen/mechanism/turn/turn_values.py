@@ -10,9 +10,9 @@ quantity that does not change, a point that does not move to and fro) is infinit
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
+from msgspec import Struct
 from numpy.typing import NDArray
 
 from variantgen.mechanism.motion import Field, Motion
@@ -36,8 +36,7 @@ _GAUSS, _WEIGHTS = np.polynomial.legendre.leggauss(20)
 _PARTS = 8  # pieces of a turn, at least, that are integrated one by one
 
 
-@dataclass(frozen=True)
-class Extreme:
+class Extreme(Struct, frozen=True):
     """The largest value of a quantity over a turn (SI), and the angle (rad, 0 to 2 pi) where it is first reached."""
 
     value: Field

@@ -8,9 +8,9 @@ are that shared points stay together and that the residuals of joints and driver
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
+from msgspec import Struct
 from numpy.typing import NDArray
 
 from variantgen.mechanism.arithmetic import Real, from_parts
@@ -22,8 +22,7 @@ _JACOBIAN_STEP = 1e-6
 Vector = NDArray[np.float64]
 
 
-@dataclass(frozen=True)
-class _Carriage:
+class _Carriage(Struct, frozen=True):
     """Points carried by bodies: places and arms from the bodies' first points at the instant (m, shape (N, points)).
 
     ``body``: the numbers of the bodies, shape (points,).

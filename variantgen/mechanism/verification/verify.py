@@ -10,10 +10,10 @@ solution (its fastest rotation), because it decides the accuracy of the check, n
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from msgspec import Struct
 from numpy.typing import NDArray
 
 from variantgen.mechanism.motion import ComplexField, Field, Motion, largest_change
@@ -37,8 +37,7 @@ _NO_ACCELERATION = 0.01
 Vector = NDArray[np.float64]
 
 
-@dataclass(frozen=True)
-class Recomputed:
+class Recomputed(Struct, frozen=True):
     """Velocities and accelerations by the independent way, and the difference from the solver's.
 
     ``velocity_error`` and ``acceleration_error``, shape (N,): the largest deviation of any point or body (rotations

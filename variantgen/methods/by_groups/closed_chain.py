@@ -14,8 +14,9 @@ solved as usual. A link that slides has no such equation: the method does not ap
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import pairwise
+
+from msgspec import Struct
 
 from variantgen.algebra.expression import Expression, Raised, Value
 from variantgen.algebra.linear import linear
@@ -30,8 +31,7 @@ from variantgen.methods.steps.step_geometry import ChainGraph
 _KIND = {1: "omega", 2: "epsilon"}
 
 
-@dataclass(frozen=True)
-class Loop:
+class Loop(Struct, frozen=True):
     """Three links between the fixed first and last of four points; the rates of the first link are known."""
 
     bodies: tuple[str, str, str]

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 from typing import Any
+
+from msgspec import Struct, field
 
 from variantgen.methods.groups.group import Dyad, ThirdClassGroup, TwoPointBody
 from variantgen.methods.on_demand import on_demand
@@ -14,8 +15,7 @@ Applies = Callable[[Book, Any], bool]
 Solve = Callable[[Book, Any], None]
 
 
-@dataclass(frozen=True)
-class GroupMethod:
+class GroupMethod(Struct, frozen=True):
     """A method for groups of links.
 
     ``orders``: whether it is chosen for velocities (1) or accelerations (2), or neither, where nothing takes its place.

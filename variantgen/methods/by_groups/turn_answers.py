@@ -7,8 +7,9 @@ its limit positions where it touches the circle of the pin.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import permutations
+
+from msgspec import Struct
 
 from variantgen.algebra.expression import Applied, Constant, Expression, Pi, Ratio, SquareRoot, Value
 from variantgen.algebra.name import Name
@@ -46,8 +47,7 @@ def _heading(quantity: Quantity) -> str:
     return "turn.heading_mean" if quantity.kind.startswith(MEAN) else "turn.heading"
 
 
-@dataclass(frozen=True)
-class _Limits:
+class _Limits(Struct, frozen=True):
     """Crank OA, rod AB; the pin B of a slider (``centre`` is '') or of a rocker about a fixed centre."""
 
     pivot: str

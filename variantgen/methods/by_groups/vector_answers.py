@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
+
+from msgspec.structs import replace
 
 from variantgen.algebra.expression import Applied, Constant, Expression, Raised, Ratio, Total, Value
 from variantgen.algebra.name import Name

@@ -10,7 +10,8 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from variantgen.algebra.expression import Applied, Constant, Expression, Ratio, SquareRoot, Total, Value, cos, sin
 from variantgen.algebra.name import Name
@@ -65,8 +66,7 @@ def is_angle(value: float, *others: float) -> bool:
 # The ray of a further point, from a triangle.
 
 
-@dataclass(frozen=True, slots=True)
-class _Triangle:
+class _Triangle(Struct, frozen=True):
     """The triangle A C P: ``base`` A with its known ray, ``point`` C, ``spread`` the angle at A (degrees)."""
 
     base: str

@@ -7,8 +7,9 @@ The angles of the triangle ABP come last, by its height: only accelerations need
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from functools import cached_property
+
+from msgspec import Struct
 
 from variantgen.algebra.expression import Applied, Constant, Expression, Total, Value
 from variantgen.algebra.name import Name
@@ -101,8 +102,7 @@ def _is_arcsine(angle: Expression) -> bool:
     return isinstance(angle, Applied) and angle.function == "arcsin"
 
 
-@dataclass(frozen=True)
-class _Link:
+class _Link(Struct, frozen=True, dict=True):
     """A link from a fixed pivot to the point of which ``term`` is the velocity; the centre is at ``place``."""
 
     book: Book

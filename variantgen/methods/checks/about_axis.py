@@ -8,7 +8,8 @@ which A is another point, and to a carrier whose acceleration is the projection 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from variantgen.algebra.expression import Applied, Expression, Ratio, SquareRoot, Total, Value, cos
 from variantgen.algebra.name import Name
@@ -24,8 +25,7 @@ _SAME = 1e-9  # relative: nearer vectors are one
 _NO_ANGLE = 1e-7  # degrees
 
 
-@dataclass(frozen=True)
-class _Turning:
+class _Turning(Struct, frozen=True):
     """A point on a link about a fixed pivot whose rates a reader knows."""
 
     point: str

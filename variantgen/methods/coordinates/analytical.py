@@ -8,7 +8,7 @@ apply to linkages that close (a slider-crank, a four-bar), nor to an angle that 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from msgspec import Struct, field
 
 from variantgen.algebra.derivative import derivative
 from variantgen.algebra.expression import Constant, Expression, Ratio, Value
@@ -33,8 +33,7 @@ _INNER = ("x", "y")  # coordinates that are replaced by their functions; angles 
 _WAYS = ("slide", "arc")  # coordinates that have to be introduced
 
 
-@dataclass
-class Functions:
+class Functions(Struct):
     """The motion as functions of time: the given coordinates, and the others by expressions of them, in their order."""
 
     given: list[Coordinate]

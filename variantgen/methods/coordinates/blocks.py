@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from variantgen.algebra.expression import Value
 from variantgen.algebra.normal_form import Maybe
@@ -12,8 +12,7 @@ from variantgen.methods.coordinates.coordinate import Coordinate, PositionEquati
 from variantgen.methods.coordinates.model import Model
 
 
-@dataclass(frozen=True, eq=False)
-class CoordinateBlock:
+class CoordinateBlock(Struct, frozen=True, eq=False):
     """Equations that are solved together for as many unknown coordinates."""
 
     equations: tuple[PositionEquation, ...]

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from msgspec import Struct, field
 
 from variantgen.algebra.expression import Value
 from variantgen.algebra.normal_form import Maybe
 from variantgen.methods.steps.step import Fact
 
 
-@dataclass(eq=False)
-class Coordinate:
+class Coordinate(Struct, eq=False):
     """Something that changes: its value now, its first and second derivative; ``given`` if a driver prescribes it."""
 
     place: Value
@@ -19,8 +18,7 @@ class Coordinate:
     given: bool = False
 
 
-@dataclass(frozen=True, eq=False)
-class PositionEquation:
+class PositionEquation(Struct, frozen=True, eq=False):
     """A relation of positions, ``left = right``; ``key`` and ``facts`` say what keeps it."""
 
     key: str

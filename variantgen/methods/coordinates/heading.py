@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from variantgen.algebra.expression import Constant, Value, cos, sin
 from variantgen.algebra.normal_form import Maybe, added, product
 from variantgen.methods.geometry.geometry import normal_angle
 
 
-@dataclass(frozen=True, eq=False)
-class Heading:
+class Heading(Struct, frozen=True, eq=False):
     """A direction: an angle that changes, if any, and a constant (degrees)."""
 
     variable: Maybe

@@ -10,8 +10,9 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import TypeAlias
+
+from msgspec import Struct
 
 from variantgen.algebra.expression import Constant, Expression, Pi, Ratio, Value, Variable
 from variantgen.algebra.name import Name
@@ -28,8 +29,7 @@ _SAME = 1e-9  # degrees
 _ROUNDING = 1e-11  # degrees: some roundings of an angle in radians
 
 
-@dataclass(frozen=True)
-class AngleForm:
+class AngleForm(Struct, frozen=True):
     """``sum of coefficient * atom + constant`` in degrees; ``parts`` are sorted, without zeros."""
 
     parts: tuple[tuple[Atom, float], ...] = ()

@@ -7,7 +7,6 @@ were placed before.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Any
 
 from variantgen.methods.geometry.angles import AngleForm
@@ -16,8 +15,7 @@ from variantgen.methods.geometry.legs import Leg
 from variantgen.methods.geometry.located_point import LocatedPoint
 
 
-@dataclass(frozen=True)
-class ConstructedPoint(LocatedPoint):
+class ConstructedPoint(LocatedPoint, frozen=True):
     """A point by its construction: ``fields`` are those of the family file."""
 
     geometry: Geometry

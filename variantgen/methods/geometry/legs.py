@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from variantgen.algebra.expression import Expression
 from variantgen.algebra.normal_form import Signed, positive, summed
 from variantgen.methods.geometry.angles import AngleForm
 
 
-@dataclass(frozen=True)
-class Leg:
+class Leg(Struct, frozen=True):
     """A vector: its length (printed unit; a negative one points backwards) and its direction on paper."""
 
     length: Expression

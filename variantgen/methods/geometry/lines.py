@@ -5,13 +5,13 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from variantgen.methods.geometry.angles import AngleForm, between
 
 
-@dataclass
-class _Line:
+class _Line(Struct):
     form: AngleForm
     points: set[str]
 

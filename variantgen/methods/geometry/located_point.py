@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import importlib
-from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import cache
 from typing import ClassVar
+
+from msgspec import Struct
 
 from variantgen.algebra.expression import Expression, Value
 from variantgen.methods.geometry.angles import AngleForm
@@ -18,8 +18,7 @@ Pair = tuple[Value, Value]
 ORIGIN = ""  # the origin of the scene, among names of points
 
 
-@dataclass(frozen=True)
-class Ray:
+class Ray(Struct, frozen=True):
     """The ray from one point to another with its direction on paper."""
 
     start: str
@@ -27,7 +26,7 @@ class Ray:
     form: AngleForm
 
 
-class LocatedPoint(ABC):
+class LocatedPoint(Struct, frozen=True):
     """A point that was placed after others; by default its construction gives nothing but the way here."""
 
     in_system: ClassVar[bool] = False  # placed together with other points, by a system of equations
@@ -60,9 +59,9 @@ class LocatedPoint(ABC):
         """The distance from a neighbour, where it has to be worked out."""
         return None
 
-    @abstractmethod
     def legs(self, other: str) -> tuple[Leg, ...]:
         """The way from a neighbour here."""
+        raise NotImplementedError
 
     def coordinates(self) -> Pair | None:
         """Both coordinates, where they are not found by the way from a neighbour."""

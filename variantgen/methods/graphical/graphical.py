@@ -8,7 +8,8 @@ is computed, and the drawing goes on from there. Bodies that can only be treated
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+
+from msgspec.structs import replace
 
 from variantgen.algebra.expression import Expression, Value
 from variantgen.algebra.name import Name

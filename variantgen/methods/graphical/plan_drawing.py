@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from variantgen.algebra.decimals import DRAWING_LENGTH
 from variantgen.algebra.expression import Constant, Expression, Value
@@ -21,8 +22,7 @@ from variantgen.methods.steps.step import Derived, Fact, NumberOf, Sentence, Ter
 _SAME = 1e-9  # of the largest vector: two places of a plan that are one
 
 
-@dataclass(frozen=True, slots=True)
-class Spot:
+class Spot(Struct, frozen=True):
     """A place of a plan and how it is called: the image of a point, or the end (or start) of a vector."""
 
     at: complex

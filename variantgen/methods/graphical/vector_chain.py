@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
@@ -25,8 +26,7 @@ from variantgen.methods.linkage.needed import needed_for
 _STRAIGHT = 1e-9
 
 
-@dataclass(frozen=True)
-class Turn:
+class Turn(Struct, frozen=True):
     """``point`` keeps its distance from ``pole``: both belong to ``body``, or the point goes round the pole (no body).
 
     A ``closing`` turn is a second expression for a point that is already reached through another pole.
@@ -38,8 +38,7 @@ class Turn:
     closing: bool = False
 
 
-@dataclass(frozen=True)
-class SlidingPoint:
+class SlidingPoint(Struct, frozen=True):
     """A point slides on a body; ``pole`` is the shown point of the body from which the point below it is reached.
 
     ``carried`` says that the motion of the body is known before that of the point.
@@ -52,16 +51,14 @@ class SlidingPoint:
     path: Sliding
 
 
-@dataclass(frozen=True)
-class Cylinder:
+class Cylinder(Struct, frozen=True):
     """The distance of ``point`` from ``base`` grows as given: the rod of a cylinder."""
 
     point: str
     base: str
 
 
-@dataclass(frozen=True)
-class VectorChain:
+class VectorChain(Struct, frozen=True):
     """Moving points in the order of the solution, their turns and slips, points at rest, directions of fixed guides.
 
     ``cylinders`` are the pairs of points whose distance is driven.

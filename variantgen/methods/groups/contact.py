@@ -7,8 +7,9 @@ the tangential ones, while the normal ones differ, because the points move on di
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from string import ascii_uppercase
+
+from msgspec import Struct
 
 from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
@@ -24,8 +25,7 @@ _NEAR = 1e-9  # of the size of the mechanism: places closer than that are one
 _LETTERS = "KLNSTUVWXYZQ" + ascii_uppercase
 
 
-@dataclass(frozen=True, slots=True)
-class ContactSide:
+class ContactSide(Struct, frozen=True):
     """A material point at the contact, or the end of a thread: ``line.v_T = line.v_centre + radius lever omega_body``.
 
     ``line`` is the unit vector on paper along which the component is taken, ``radius`` (printed unit of length) the
@@ -60,8 +60,7 @@ class ContactSide:
         return Value(None, "angle", exact)
 
 
-@dataclass(frozen=True, slots=True)
-class NoSlipContact:
+class NoSlipContact(Struct, frozen=True):
     """The two sides of a contact or thread; ``kind`` is the file of its sentences.
 
     ``point_path`` is the path on which the contact itself keeps the centre of the first side, if it does. ``place``

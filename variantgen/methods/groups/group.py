@@ -7,13 +7,12 @@ The same groups are gone through for velocities and then for accelerations.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from variantgen.mechanism.rows import Sliding
 
 
-@dataclass(frozen=True, slots=True)
-class PointPath:
+class PointPath(Struct, frozen=True):
     """The fixed path of a point: a straight line in the direction ``line`` (unit vector on paper) or a circle.
 
     The circle is about the point ``centre``; ``body`` is the one that leads the point round it, if a body does.
@@ -30,8 +29,7 @@ class PointPath:
         return not self.centre
 
 
-@dataclass(frozen=True, slots=True)
-class PivotedLink:
+class PivotedLink(Struct, frozen=True):
     """``body`` turns about the fixed point ``pivot``; its rate is found from its point ``point``, which is known."""
 
     body: str
@@ -39,8 +37,7 @@ class PivotedLink:
     point: str
 
 
-@dataclass(frozen=True, slots=True)
-class RollingWheel:
+class RollingWheel(Struct, frozen=True):
     """The wheel ``body`` (``centre``) rolls on something at rest; ``joint`` is the number of the joint of the scene.
 
     ``around``: centre of the circle on which it rolls, empty for a straight line. ``contact``: the named contact.
@@ -53,8 +50,7 @@ class RollingWheel:
     around: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class Dyad:
+class Dyad(Struct, frozen=True):
     """``body`` has the known point ``pole`` and another one, ``point_path.point``, whose path is known."""
 
     body: str
@@ -62,8 +58,7 @@ class Dyad:
     point_path: PointPath
 
 
-@dataclass(frozen=True, slots=True)
-class FloatingDyad:
+class FloatingDyad(Struct, frozen=True):
     """Two bodies share the hinge ``point``; of each another point, its pole, is known."""
 
     point: str
@@ -71,8 +66,7 @@ class FloatingDyad:
     poles: tuple[str, str]
 
 
-@dataclass(frozen=True, slots=True)
-class SlidingPair:
+class SlidingPair(Struct, frozen=True):
     """A point slides on a body: the relative motion gives what is unknown of the two.
 
     ``carrier`` is the body it slides on, ``pole`` a known point of it (empty where it only translates), ``turning``
@@ -93,8 +87,7 @@ class SlidingPair:
     driven: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class RelativeRotation:
+class RelativeRotation(Struct, frozen=True):
     """The rotation of ``body`` relative to ``other`` is given: their rates add."""
 
     body: str
@@ -102,16 +95,14 @@ class RelativeRotation:
     driver: int
 
 
-@dataclass(frozen=True, slots=True)
-class FixedSleeve:
+class FixedSleeve(Struct, frozen=True):
     """``body`` is fixed to a sleeve on ``other`` (or has the line of its sleeve): the two turn alike."""
 
     body: str
     other: str
 
 
-@dataclass(frozen=True, slots=True)
-class ContactGroup:
+class ContactGroup(Struct, frozen=True):
     """A contact or thread (the joint's number) that gives the rate of ``body`` or the motion of its centre ``point``.
 
     Gears, threads, racks: see :mod:`variantgen.methods.groups.contact_laws`. With a ``second`` contact of the same body
@@ -125,8 +116,7 @@ class ContactGroup:
     point_path: PointPath | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class ExtendingLink:
+class ExtendingLink(Struct, frozen=True):
     """The distance from ``base``, which is known, to ``point`` grows as given (driver number).
 
     This gives the rate of ``body``, which turns about ``pivot`` and has the point.
@@ -139,8 +129,7 @@ class ExtendingLink:
     base: str
 
 
-@dataclass(frozen=True, slots=True)
-class RollingContactPole:
+class RollingContactPole(Struct, frozen=True):
     """The contact of a wheel with something at rest, taken as its pole: ``v_P = 0``, ``a_P`` towards the centre."""
 
     body: str
@@ -148,8 +137,7 @@ class RollingContactPole:
     contact: str
 
 
-@dataclass(frozen=True, slots=True)
-class TwoPointBody:
+class TwoPointBody(Struct, frozen=True):
     """Two points of ``body`` are known; its rate follows from their relative motion."""
 
     body: str
@@ -157,8 +145,7 @@ class TwoPointBody:
     point: str
 
 
-@dataclass(frozen=True, slots=True)
-class Support:
+class Support(Struct, frozen=True):
     """What holds a point of a body: its ``point_path``, or the body ``rod`` with the known point ``far``."""
 
     point: str
@@ -167,8 +154,7 @@ class Support:
     far: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class ThirdClassGroup:
+class ThirdClassGroup(Struct, frozen=True):
     """``body`` has no known point but three supports, so that they can only be treated together.
 
     ``point_path`` is the path of one of its points, which is the pole; ``supports`` are the two others.

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import fields
-from functools import cache
+
+from msgspec.structs import astuple
 
 from variantgen.families.quantities import Quantity
 from variantgen.methods.groups.group import ContactGroup, Group, RollingContactPole, RollingWheel, SlidingPair
@@ -72,15 +72,9 @@ def leads_on(task: Task, point: str, body: str) -> bool:
 def is_accelerated(task: Task, group: Group) -> bool:
     """Whether the accelerations of a group lead to one that is asked: of its bodies, or of the point it gives."""
     needed = task.accelerated
-    kind: type = type(group)
-    named = [getattr(group, name) for name in _field_names(kind)]
+    named = astuple(group)
     bodies = {name for item in named for name in (item if isinstance(item, tuple) else (item,))} & needed.bodies
     return bool(bodies) or bool(_given_points(group) & needed.points)
-
-
-@cache
-def _field_names(kind: type) -> tuple[str, ...]:
-    return tuple(field.name for field in fields(kind))
 
 
 def _given_points(group: Group) -> set[str]:

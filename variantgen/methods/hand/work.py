@@ -7,7 +7,8 @@ from the statement costs nothing.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from variantgen.algebra.expression import Applied, Constant, Raised, Ratio, SquareRoot, Times, Total, Value
 from variantgen.algebra.linear import LinearSolution
@@ -17,8 +18,7 @@ _BARE = Value, Constant  # parts of an expression in which nothing is calculated
 _RIGHT_ANGLE = 90.0 + 1e-9  # degrees; what is larger by rounding only is not obtuse
 
 
-@dataclass(frozen=True)
-class Work:
+class Work(Struct, frozen=True):
     """The work of a solution.
 
     ``lines``: values that are worked out.

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from variantgen.mechanism.motion import Motion, take_scene
 from variantgen.mechanism.scene import Scene
 
 
-@dataclass(frozen=True)
-class Instant:
+class Instant(Struct, frozen=True):
     """Positions (m), velocities (m/s), accelerations (m/s^2) by point; omega (rad/s), epsilon (rad/s^2) by body.
 
     Accelerations and epsilons are empty where the motion was not solved so far.

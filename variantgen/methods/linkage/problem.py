@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Hashable, Mapping, Sequence
-from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache, cached_property
 from itertools import combinations
 from types import MappingProxyType
 from typing import Any
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.algebra.expression import Constant, Expression, Pi, Value
 from variantgen.algebra.name import Name
@@ -34,8 +36,7 @@ _DIGITS = 12  # of a number of the file in the printed unit
 CLOSE = 1e-9  # relative difference within which two numbers are one, but for rounding
 
 
-@dataclass(frozen=True)
-class Task:
+class Task(Struct, frozen=True, dict=True):
     """One variant to be solved for the asked quantities; ``now`` is its motion in printed units (cm, cm/s, rad/s).
 
     What is asked may be made of plain quantities, such as a ratio of angular velocities: methods look for these.

@@ -9,8 +9,9 @@ they come from the data and plain numbers (radians) where they come from rates a
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import reduce
+
+from msgspec import Struct
 
 from variantgen.algebra.expression import (
     Applied,
@@ -39,8 +40,7 @@ def _short(number: float) -> float:
     return float(f"{number:.{_DIGITS}g}")
 
 
-@dataclass(frozen=True)
-class _Part:
+class _Part(Struct, frozen=True):
     """Part of a formula; ``degrees`` where it is proportional to an angle in degrees."""
 
     shown: Expression
@@ -87,8 +87,7 @@ def _is_angle(item: Expression) -> bool:
     return any(isinstance(part, Value) and part.measure == "angle" for part in walk(item))
 
 
-@dataclass(frozen=True)
-class Translator:
+class Translator(Struct, frozen=True):
     """Translates the expressions of one variant.
 
     ``named`` gives a parameter as its value (an angle in degrees), a choice as its number; None for another name.

@@ -5,8 +5,10 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
-from typing import Protocol
+from typing import Protocol, cast
+
+from msgspec import Struct, field
+from msgspec.structs import replace
 
 from variantgen.algebra.expression import Expression, Value
 from variantgen.algebra.name import Name
@@ -20,8 +22,7 @@ from variantgen.methods.steps.step import Derived, Fact, Item, Segment, Sentence
 Known = tuple[Term, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Rate:
+class Rate(Struct, frozen=True):
     """An angular velocity or acceleration: its magnitude, and its sense (1 counter-clockwise, -1 clockwise, 0 none)."""
 
     size: Value
@@ -52,8 +53,7 @@ class Graphics(Protocol):
         """A projection (``x`` or ``y`` in the name) of a known vector on an axis of the paper."""
 
 
-@dataclass
-class Book:
+class Book(Struct):
     """Vectors of points as sums of known terms, rates of bodies, and the steps written so far.
 
     A point at rest has no terms. ``values`` are all that were derived, by name. ``relative``, ``relative_acceleration``
@@ -64,7 +64,6 @@ class Book:
     """
 
     task: Task
-    geometry: Geometry = field(init=False)
     steps: list[Step] = field(default_factory=list)
     velocity: dict[str, Known] = field(default_factory=dict)
     acceleration: dict[str, Known] = field(default_factory=dict)
@@ -80,17 +79,18 @@ class Book:
     centres: dict[tuple[str, str], Centre] = field(default_factory=dict)
     carry: Callable[[Book, str, str, str], None] | None = None
     named_angles: dict[AngleForm, Value] = field(default_factory=dict)  # sums of angles that have a name
+    geometry: Geometry = cast(Geometry, None)  # that of the task, made at once
 
     def __post_init__(self) -> None:
+        if self.geometry:
+            return  # the same book for another order
         self.geometry = Geometry(self.task)
         for point in self.task.fixed:
             self.velocity[point] = self.acceleration[point] = ()
 
     def at(self, order: int, carry: Callable[[Book, str, str, str], None] | None = None) -> Book:
         """The same book, with all that is written in it now and later, for velocities (1) or accelerations (2)."""
-        book = Book.__new__(Book)
-        vars(book).update(vars(self), order=order, carry=carry)
-        return book
+        return replace(self, order=order, carry=carry)
 
     # What is known, at the order that is worked out.
 

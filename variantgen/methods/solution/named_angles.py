@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from itertools import combinations
+
+from msgspec.structs import replace
 
 from variantgen.algebra.expression import Constant, Value
 from variantgen.methods.geometry.angle_sums import angle_sum, difference, is_short, is_single, valued

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import cmath
 import math
-from dataclasses import dataclass, field
+
+from msgspec import Struct, field
 
 from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
@@ -12,16 +13,14 @@ from variantgen.methods.linkage.problem import Task
 from variantgen.methods.steps.step import CentreOf, Segment
 
 
-@dataclass(frozen=True, slots=True)
-class CentreRay:
+class CentreRay(Struct, frozen=True):
     """The way from a point to the centre: its length, and its angle with the x axis."""
 
     arm: Value
     angle: Value
 
 
-@dataclass
-class Centre:
+class Centre(Struct):
     """The centre of ``body``: ``kind`` P of velocities, Q of accelerations.
 
     ``at`` is the named point with which it coincides, if it does; ``infinite``: the body is in translation, and there

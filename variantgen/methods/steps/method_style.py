@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 
-@dataclass(frozen=True, slots=True)
-class MethodStyle:
+class MethodStyle(Struct, frozen=True):
     """The choice of methods for bodies in plane motion, by their names: for velocities and for accelerations.
 
     What the chosen method does not solve is left to the vector equation, with equal projections also to the velocity

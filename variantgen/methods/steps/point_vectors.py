@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from variantgen.algebra.name import AXES, Name
 
 
-@dataclass(frozen=True, slots=True)
-class Arrow:
+class Arrow(Struct, frozen=True):
     """A vector (m/s or m/s^2); ``sought`` says that an equation starts from its direction ``way`` (a unit vector)."""
 
     name: Name
@@ -18,16 +18,14 @@ class Arrow:
     way: complex = 0j
 
 
-@dataclass(frozen=True, slots=True)
-class Axis:
+class Axis(Struct, frozen=True):
     """An axis on which an equation is projected: its direction (a unit vector) and its letter in the text, if any."""
 
     way: complex
     letter: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class PointEquation:
+class PointEquation(Struct, frozen=True):
     """A vector equation about a point of the ``bodies``; the vector of any other point is one arrow.
 
     ``terms`` are the vectors of both sides as they are written, ``axes`` those on which it is projected; ``step`` is
@@ -45,8 +43,7 @@ class PointEquation:
     rods: tuple[tuple[str, str], ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class PointVectors:
+class PointVectors(Struct, frozen=True):
     """What a solution says of one order (1 velocities, 2 accelerations).
 
     ``own`` are the vectors of the points themselves, ``compound`` the points whose motion is compound; ``rates`` are

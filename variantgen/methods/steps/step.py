@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from typing import TypeAlias
+
+from msgspec import Struct, field
 
 from variantgen.algebra.expression import Applied, Expression, Value
 from variantgen.algebra.name import OWN_AXES, Name
@@ -13,22 +14,19 @@ from variantgen.methods.steps.point_vectors import PointVectors
 from variantgen.methods.steps.step_geometry import ChainGraph, StepGeometry
 
 
-@dataclass(frozen=True, slots=True)
-class Body:
+class Body(Struct, frozen=True):
     """A body in a sentence; the template chooses the case: ``{body}``, ``{body.of}``, ``{body.with}``."""
 
     name: str
 
 
-@dataclass(frozen=True, slots=True)
-class Point:
+class Point(Struct, frozen=True):
     """A point in a sentence."""
 
     name: str
 
 
-@dataclass(frozen=True, slots=True)
-class Segment:
+class Segment(Struct, frozen=True):
     """A segment, line or ray through two points in a sentence: ``AB``; ``centre_of`` makes the second the velocity
     centre of a body.
     """
@@ -43,37 +41,32 @@ def triangle(first: str, second: str, third: str, centre_of: str = "") -> Segmen
     return Segment(first + second, third, centre_of)
 
 
-@dataclass(frozen=True, slots=True)
-class Word:
+class Word(Struct, frozen=True):
     """A word of the language by its key in the table ``words``: a sense, a direction on paper, a kind of axis."""
 
     key: str
 
 
-@dataclass(frozen=True, slots=True)
-class VectorOf:
+class VectorOf(Struct, frozen=True):
     """A vector in a sentence, with an arrow: of the given name."""
 
     name: Name
 
 
-@dataclass(frozen=True, slots=True)
-class CentreOf:
+class CentreOf(Struct, frozen=True):
     """The velocity centre of a body (P), or with ``kind`` ``Q`` its acceleration centre."""
 
     body: str
     kind: str = "P"
 
 
-@dataclass(frozen=True, slots=True)
-class AxisOf:
+class AxisOf(Struct, frozen=True):
     """The letter of an axis of projection in a sentence."""
 
     letter: str
 
 
-@dataclass(frozen=True, slots=True)
-class NumberOf:
+class NumberOf(Struct, frozen=True):
     """A value in a sentence as its number with its unit only, or ``worked_out``: its arithmetic and then the number."""
 
     value: Value
@@ -87,8 +80,7 @@ Fact: TypeAlias = (
 )
 
 
-@dataclass(frozen=True, slots=True)
-class Sentence:
+class Sentence(Struct, frozen=True):
     """A sentence of the templates: ``key`` is ``file.name``, ``facts`` fill its fields.
 
     ``detail`` marks what a short solution leaves out.
@@ -99,8 +91,7 @@ class Sentence:
     detail: bool = True
 
 
-@dataclass(frozen=True, slots=True)
-class Derived:
+class Derived(Struct, frozen=True):
     """``name = expression = with numbers = result unit``.
 
     ``symbolic`` False leaves out the first expression (a line before has shown it), ``numeric`` False the second.
@@ -114,8 +105,7 @@ class Derived:
     law: Expression | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Term:
+class Term(Struct, frozen=True):
     """A vector of a vector equation.
 
     ``size`` is its magnitude, None as long as it is unknown; ``angle`` the direction on paper (degrees from the x
@@ -143,23 +133,20 @@ class Term:
         return fact.name if isinstance(fact, Point) else fact.start
 
 
-@dataclass(frozen=True, slots=True)
-class VectorLine:
+class VectorLine(Struct, frozen=True):
     """A vector equation: sums of vectors on both sides."""
 
     left: tuple[Term, ...]
     right: tuple[Term, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class TermTable:
+class TermTable(Struct, frozen=True):
     """The vectors of an equation with direction and magnitude, known or not."""
 
     terms: tuple[Term, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Share:
+class Share(Struct, frozen=True):
     """The projection of a vector on an axis: ``sign * size * cos(angle)``; ``angle`` None is a zero angle.
 
     ``function`` "sin" stands for the cosine of the angle to 90 degrees.
@@ -182,8 +169,7 @@ class Share:
         return self.term.size if self.angle is None else self.term.size * Applied(self.function, self.angle)
 
 
-@dataclass(frozen=True, slots=True)
-class Projection:
+class Projection(Struct, frozen=True):
     """A vector equation projected on an axis; an empty side is zero.
 
     ``words`` say what the axis is, and why the wanted vector points as it does; ``axis`` is its direction on paper,
@@ -203,8 +189,7 @@ class Projection:
         return len(shares) == 1 and shares[0].factor is None
 
 
-@dataclass(frozen=True, slots=True)
-class LinearSystem:
+class LinearSystem(Struct, frozen=True):
     """Equations linear in unknown values, with numbers, and their solution.
 
     ``rows`` are the coefficients, one row per equation, and ``right`` the right-hand sides; the unknowns carry the
@@ -216,23 +201,20 @@ class LinearSystem:
     right: tuple[Value, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Balance:
+class Balance(Struct, frozen=True):
     """Two sums that must be equal, each with its number: the sides of a vector equation on a further axis."""
 
     left: Value
     right: Value
 
 
-@dataclass(frozen=True, slots=True)
-class Ascending:
+class Ascending(Struct, frozen=True):
     """Numbers each of which is smaller than the next: what a bound of magnitudes says."""
 
     values: tuple[Value, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class EquationLine:
+class EquationLine(Struct, frozen=True):
     """An equation without a result of its own: both sides as expressions, checked when it is shown with numbers."""
 
     left: Expression
@@ -240,8 +222,7 @@ class EquationLine:
     numeric: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class ProgramListing:
+class ProgramListing(Struct, frozen=True):
     """A piece of a program, as text; ``results`` are the values that it prints, in order."""
 
     code: str
@@ -263,8 +244,7 @@ Item: TypeAlias = (
 )
 
 
-@dataclass(slots=True)
-class Step:
+class Step(Struct):
     """A numbered step: its heading and what follows; ``views`` are the kinds of figure that go with it.
 
     Of a finished solution they are the names of figures: with the body or the number of the equation that each shows.
@@ -281,8 +261,7 @@ class Step:
         pass
 
 
-@dataclass(frozen=True, slots=True)
-class Solution:
+class Solution(Struct, frozen=True):
     """A whole solution: the steps, the answers with their values, the check by another method.
 
     ``approximate`` is the number of significant digits of answers that were measured, 0 where they were computed;

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from variantgen.algebra.expression import Value
 
 
-@dataclass(frozen=True, slots=True)
-class Corner:
+class Corner(Struct, frozen=True):
     """An angle: its ``value``, and the ways from its vertex along its sides (printed unit of length).
 
     ``vertex`` is a point, ``ends`` are those on its sides, of which one must be seen. ``centre`` is the body to whose
@@ -28,8 +27,7 @@ class Corner:
     is_part: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class MarkedFoot:
+class MarkedFoot(Struct, frozen=True):
     """The foot of a perpendicular under a ``letter`` of its own: its place (m), the point from which it is dropped.
 
     ``line`` are the points of the figure on the line to which it is dropped, one or two.
@@ -41,16 +39,14 @@ class MarkedFoot:
     line: tuple[str, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class ChainGraph:
+class ChainGraph(Struct, frozen=True):
     """A chain of links in the notation of graphs, ``O -1-> A -2-> B``: its first point, the end of each link."""
 
     start: str
     ends: tuple[str, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class StepGeometry:
+class StepGeometry(Struct, frozen=True):
     """The ``corners``, the ends of the ``segments`` between points, in the order in which they are met, a ``chain``,
     the ``feet`` of perpendiculars.
     """

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from msgspec.structs import replace
 
 from variantgen.methods.groups.carriers import is_translating
 from variantgen.methods.groups.group import SlidingPair

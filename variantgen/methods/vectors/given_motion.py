@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from msgspec.structs import replace
 
 from variantgen.algebra.expression import Constant, Expression, Magnitude, Pi, Ratio, Times, Total, Value
 from variantgen.algebra.name import Name

@@ -9,8 +9,10 @@ than two vectors, some of them oblique, the two components have lines of their o
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
 from functools import cached_property
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.algebra.expression import Constant, Expression, Ratio, Total, Value
 from variantgen.algebra.name import Name
@@ -29,8 +31,7 @@ _ONE_LINE = 2  # so many vectors fit into one line where some are oblique
 _NATURAL, _OWN = ("on_n", "on_tau"), ("xi", "eta")  # components by their axes: of a path or a rim, and others
 
 
-@dataclass(frozen=True)
-class _Axis:
+class _Axis(Struct, frozen=True, dict=True):
     """An axis with the projections of the vectors on it; ``along`` is a vector that lies on it."""
 
     angle: Value

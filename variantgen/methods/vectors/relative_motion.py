@@ -9,7 +9,8 @@ vector is that of the point of the body below the sliding one.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
@@ -30,8 +31,7 @@ from variantgen.methods.vectors.pole import about_pole, enter_rate
 from variantgen.methods.vectors.vector_equation import pointing, solved, write
 
 
-@dataclass
-class _Sides:
+class _Sides(Struct):
     """Both sides of the equation, and its unknown vectors by what they are for."""
 
     left: list[Term]

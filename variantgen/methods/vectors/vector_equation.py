@@ -5,7 +5,8 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Sequence
-from dataclasses import replace
+
+from msgspec.structs import replace
 
 from variantgen.algebra.expression import Expression, Total, Value
 from variantgen.algebra.name import Name

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from decimal import Decimal
+
+from msgspec import Struct
 
 from variantgen.exam.exam_file import Exam
 from variantgen.exam.sheets import Answer, Item, Sheet
@@ -15,8 +16,7 @@ UNNOTICED = "*"
 Place = tuple[int, str, str]  # number of a problem, names of the family and of its form
 
 
-@dataclass(frozen=True)
-class KeyTable:
+class KeyTable(Struct, frozen=True):
     """The problems of one form that stand under one number: a table of the key. ``heads`` are symbols with units.
 
     ``form`` is the name of the form as words, where the family has several.

@@ -8,9 +8,10 @@ import json
 import os
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import asdict
 from pathlib import Path
 from typing import Any, BinaryIO
+
+from msgspec.structs import asdict
 
 from variantgen.exam.exam_file import Exam
 from variantgen.exam.manifest import HASH, NAME, SCHEMA, EntriesHash, RecordedSheet

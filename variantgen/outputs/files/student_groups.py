@@ -7,10 +7,11 @@ of their names; the file of a group has those of its pieces. Thereby no part has
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
 from typing import Any, TypeVar
+
+from msgspec import Struct
 
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.files.file_names import file_names
@@ -37,8 +38,7 @@ def documents(data: Mapping[str, Any], sheets: Sequence[Sheet]) -> Iterator[dict
         yield {**data, "students": [*listed[:-1], {**listed[-1], "last": True}]}
 
 
-@dataclass(frozen=True)
-class GroupFiles:
+class GroupFiles(Struct, frozen=True):
     """The groups of an exam in the order of the sheets: who is in them, and the names of their files (no ending)."""
 
     places: Mapping[str, Sequence[int]]

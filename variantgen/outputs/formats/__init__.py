@@ -23,10 +23,11 @@ import importlib
 import pkgutil
 import re
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 from typing import Any, Protocol, cast
+
+from msgspec import Struct, field
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.exam import exam_file
@@ -54,8 +55,7 @@ PARTS_PER_OVERVIEW = 3
 STUDENTS_PER_OVERVIEW = STUDENTS_PER_PART * PARTS_PER_OVERVIEW
 
 
-@dataclass(frozen=True)
-class Fragment:
+class Fragment(Struct, frozen=True):
     """Content made of a part of the students, the output that it belongs to, and the ending of its file's name."""
 
     target: str
@@ -63,8 +63,7 @@ class Fragment:
     ending: str = ""
 
 
-@dataclass(frozen=True)
-class Chunk:
+class Chunk(Struct, frozen=True):
     """A few students of an exam; ``first`` says whether it is the first part.
 
     ``beginning`` are the groups whose first student is in it.
@@ -92,8 +91,7 @@ class Chunk:
         return [(self.sheets, self.first)]
 
 
-@dataclass(frozen=True)
-class WholeExam:
+class WholeExam(Struct, frozen=True):
     """All students of an exam, the pieces of a format by target in the order of the students, the output folder.
 
     Where files are made for groups, a part has for each of its groups a piece, in the order of their names

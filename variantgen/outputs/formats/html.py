@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
+
+from msgspec import Struct
 
 from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import Student
@@ -35,8 +36,7 @@ JOINED, STUDENTS = "joined", "students"
 _FEW = 3  # students whose page needs no contents
 
 
-@dataclass(frozen=True)
-class HtmlOptions:
+class HtmlOptions(Struct, frozen=True):
     """What an exam file may say of pages: one for all (``joined``), or for each of the ``students`` or ``groups``."""
 
     files: str = JOINED
@@ -87,8 +87,7 @@ def _rows(where: Place) -> str:
     return "-".join(("rows", *map(str, where)))
 
 
-@dataclass(frozen=True)
-class _Document:
+class _Document(Struct, frozen=True):
     """A document that all students have: what its pieces are called, its language, how a page of it is headed."""
 
     target: str

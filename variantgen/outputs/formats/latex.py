@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, cast, get_args
+
+from msgspec import Struct
 
 from variantgen.errors import InputError, Problem, ToolMissingError, missing_package, nearest
 from variantgen.exam.exam_file import Exam
@@ -40,8 +41,7 @@ TARGETS = "sheets|key|solutions"
 _FONT = re.compile(r"[A-Za-z0-9][A-Za-z0-9 ._-]{0,80}")
 
 
-@dataclass(frozen=True)
-class LatexOptions:
+class LatexOptions(Struct, frozen=True):
     """What an exam file may say of LaTeX.
 
     ``compile`` is None where PDFs are made if the engine is installed; ``font`` is one of LuaLaTeX.
@@ -151,8 +151,7 @@ def _write_documents(whole: WholeExam) -> None:
             _compile(whole, source)
 
 
-@dataclass(frozen=True)
-class _Source:
+class _Source(Struct, frozen=True):
     """A document: its file, what kind it is, its pieces, for how many students it is."""
 
     path: Path

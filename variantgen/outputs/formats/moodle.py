@@ -14,11 +14,12 @@ import base64
 import re
 import xml.etree.ElementTree as ET
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from html import escape
 from pathlib import Path
 from xml.parsers import expat
 from xml.sax.saxutils import unescape
+
+from msgspec import Struct
 
 from variantgen.errors import VariantgenError
 from variantgen.exam.exam_file import Exam
@@ -50,8 +51,7 @@ _TEXT = re.compile("<text>([^<]+)</text>")
 _BRACKETS = str.maketrans("<>", "‹›")
 
 
-@dataclass(frozen=True)
-class MoodleOptions:
+class MoodleOptions(Struct, frozen=True):
     """``figures``: ``svg`` or ``png``.
 
     ``categories``: ``families``, a bank with a category for each problem and family and without names of students, or

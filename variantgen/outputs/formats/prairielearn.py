@@ -13,12 +13,13 @@ import re
 import shutil
 import uuid
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from decimal import Decimal
 from hashlib import sha256
 from html import escape
 from pathlib import Path
 from typing import Any
+
+from msgspec import Struct
 
 from variantgen.exam.exam_file import Exam, ExamProblem
 from variantgen.exam.roster import Student
@@ -47,8 +48,7 @@ _CLIENT = "clientFilesQuestion"
 _NAMESPACE = uuid.uuid5(uuid.NAMESPACE_URL, "variantgen/prairielearn")
 
 
-@dataclass(frozen=True)
-class PrairieLearnOptions:
+class PrairieLearnOptions(Struct, frozen=True):
     """``figures``: ``svg`` or ``png``."""
 
     figures: str = FORMS[0]

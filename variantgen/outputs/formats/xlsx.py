@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
+
+from msgspec import Struct
 
 from variantgen.errors import missing_package
 from variantgen.exam.exam_file import Exam
@@ -23,8 +24,7 @@ SUMMARIES: tuple[tuple[int, Callable[[Chunk], Iterable[Fragment]]], ...] = ()
 write_key = None
 
 
-@dataclass(frozen=True)
-class XlsxOptions:
+class XlsxOptions(Struct, frozen=True):
     """What an exam file may say of workbooks.
 
     ``protect``: the form for marking is protected (without a password), so that formulas are not typed over.

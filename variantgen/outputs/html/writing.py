@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from html import escape
 from math import inf
 from typing import Any
 
 from markupsafe import Markup
+from msgspec import Struct
 
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs.documents.formula_rows import breadth
@@ -26,8 +26,7 @@ _SPACED = re.compile(r"([^ ]*)( .* | )([^ ]*)", re.DOTALL)
 _LONG = ((100, "piece longer"), (74, "piece long"), (0, "piece"))
 
 
-@dataclass(frozen=True)
-class HtmlWriting:
+class HtmlWriting(Struct, frozen=True):
     """Fulfils :class:`variantgen.outputs.documents.writing.Writing`: what its methods return is markup for templates.
 
     ``math(formula, display)`` is a formula inside a line (``display``: fractions of full size); ``image(drawing,

@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import unicodedata
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import Literal
+
+from msgspec import Struct
 
 Engine = Literal["pdflatex", "lualatex"]
 
@@ -45,8 +46,7 @@ LATIN, CYRILLIC = _listed(_T1), _listed(_T2A)
 _KNOWN = ASCII | SIGNS | LATIN | CYRILLIC | MATH.keys()
 
 
-@dataclass(frozen=True)
-class Alphabet:
+class Alphabet(Struct, frozen=True):
     """The letters that a document prints only inside the ``command``."""
 
     engine: Engine

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+
+from msgspec import Struct
 
 from variantgen.outputs.latex.characters import Alphabet, Engine, is_cyrillic_language
 from variantgen.outputs.latex.templates import fill
@@ -23,8 +24,7 @@ _MARGINS = {"sheets": (18, 16, 18), "key": (15, 14, 16), "solutions": (15, 14, 1
 _CYRILLIC_FONTS = ("CMU Serif", "CMU Typewriter Text")  # for LuaLaTeX: its usual font has no Cyrillic letters
 
 
-@dataclass(frozen=True)
-class Needs:
+class Needs(Struct, frozen=True):
     """What the text of a document needs beside its own letters."""
 
     inlatin: bool  # the commands of these names
@@ -33,8 +33,7 @@ class Needs:
     programs: bool
 
 
-@dataclass(frozen=True)
-class Look:
+class Look(Struct, frozen=True):
     """What kind of document in which language, for an engine; ``font`` is one of LuaLaTeX, or nothing."""
 
     kind: str

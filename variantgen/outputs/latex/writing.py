@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
+
+from msgspec import Struct
 
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs.latex.characters import Alphabet
@@ -16,8 +17,7 @@ from variantgen.wording.surds import with_surd
 from variantgen.wording.text import Text, with_steady_dashes
 
 
-@dataclass(frozen=True)
-class LatexWriting:
+class LatexWriting(Struct, frozen=True):
     """Fulfils :class:`variantgen.outputs.documents.writing.Writing` for documents of an alphabet."""
 
     alphabet: Alphabet

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
+from msgspec import Struct
 
 from variantgen.families.parameters.units import Unit, unit
 from variantgen.families.quantities import Quantity
@@ -25,8 +25,7 @@ _CONSTANT = 1e-9
 _MEASURES = ("velocity", "angular velocity", "acceleration", "angular acceleration", "length", "angle", "number")
 
 
-@dataclass(frozen=True)
-class PlottedCurve:
+class PlottedCurve(Struct, frozen=True):
     """A quantity over the sweep, shape (K,), in its printed unit; ``now`` at the instant of the problem.
 
     Where the quantity has no finite value there is NaN; one that has none at the instant is left out.
@@ -39,8 +38,7 @@ class PlottedCurve:
     constant: bool
 
 
-@dataclass(frozen=True)
-class Panel:
+class Panel(Struct, frozen=True):
     """Curves of one unit; ``letters`` are what the axis is called: (x, y), or () where the unit says enough."""
 
     unit: Unit

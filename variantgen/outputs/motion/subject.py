@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from msgspec import Struct
 
 from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import Quantity
@@ -22,8 +22,7 @@ from variantgen.wording.language import Language
 from variantgen.wording.mathtext import to_mathtext
 
 
-@dataclass(frozen=True)
-class Subject:
+class Subject(Struct, frozen=True):
     """What is plotted: the variant over a sweep of its driver, in a language."""
 
     variant: Variant

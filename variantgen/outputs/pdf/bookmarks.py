@@ -3,26 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
 from itertools import groupby
 from typing import Any
 
 import pikepdf
+from msgspec import Struct, field
 
 from variantgen.outputs.pdf.page_copier import PageCopier
 from variantgen.outputs.pdf.writer import PdfWriter
 
 
-@dataclass(frozen=True)
-class BookmarkName:
+class BookmarkName(Struct, frozen=True):
     """The name of a bookmark, and of the group that it is in (if any)."""
 
     title: str
     group: str = ""
 
 
-@dataclass
-class Bookmark:
+class Bookmark(Struct):
     """A bookmark; ``title`` and ``target`` as they are written in the file."""
 
     title: bytes

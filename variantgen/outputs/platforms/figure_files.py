@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.figure.drawing import Drawing
 from variantgen.figure.motion.plans import without_millimetres
@@ -17,8 +19,7 @@ _PIXELS = 96 / 25.4  # of style sheets, in a millimetre
 _LARGER = 1.4  # than on paper, as the letters of a page are
 
 
-@dataclass(frozen=True)
-class FigureFile:
+class FigureFile(Struct, frozen=True):
     """A file with a figure. ``name`` is made from the content, so that a reader cannot guess those of others."""
 
     name: str

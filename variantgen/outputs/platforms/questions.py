@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from variantgen.exam.content import PosedProblem, SolvedProblem
 from variantgen.exam.sheets import Answer, Sheet
@@ -14,8 +15,7 @@ from variantgen.wording.formula import Formula, UnitText
 from variantgen.wording.graph_words import read_off
 
 
-@dataclass(frozen=True)
-class AnswerField:
+class AnswerField(Struct, frozen=True):
     """A part of a question: one number to be entered.
 
     ``name`` is an identifier like ``a1``, unique in the question; ``unit`` has no parts for a pure number.
@@ -27,8 +27,7 @@ class AnswerField:
     answer: Answer
 
 
-@dataclass(frozen=True)
-class Question:
+class Question(Struct, frozen=True):
     """One problem of one student; ``solved`` is None where the exam wants no solutions.
 
     ``identifier`` is unique in the world as far as exam file, seed and student are, of letters, digits and hyphens.

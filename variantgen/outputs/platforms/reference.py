@@ -7,13 +7,13 @@ where a question asks for one number which it is.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 _SIGN = re.compile(r"\[([0-9A-Z]{3}(?:-[0-9A-Z]{3}){1,8})\s+(\d{1,3})(?:\.([^\]\s]+))?\]")
 
 
-@dataclass(frozen=True)
-class Reference:
+class Reference(Struct, frozen=True):
     """The code of a sheet, the number of a problem, and a quantity or '' for the whole problem."""
 
     code: str

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from decimal import Decimal
 from itertools import chain, groupby
 from pathlib import Path
@@ -33,8 +32,7 @@ _PACKAGE = "package"  # the target of the pieces
 _ROOT = quote("$IMS-CC-FILEBASE$")  # what Canvas takes for the root of the files of a package
 
 
-@dataclass(frozen=True)
-class CanvasOptions(PackageOptions):
+class CanvasOptions(PackageOptions, frozen=True):
     """``once``: the statement is a text before the questions of a problem, not a part of each of them."""
 
     once: bool = False

@@ -9,10 +9,12 @@ Where an exam says ``statement = "once"``, the statement is a text before its qu
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 from decimal import Decimal
 from html import escape
 from xml.etree.ElementTree import Element
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.exam.exam_file import Exam
 from variantgen.exam.sheets import Answer
@@ -33,8 +35,7 @@ _RESPONSE = {"respident": "response1"}
 _FEEDBACK = "general_fb"
 
 
-@dataclass(frozen=True)
-class CanvasItems:
+class CanvasItems(Struct, frozen=True):
     """Makes the questions of an exam; ``once``: the statement is a text before them."""
 
     exam: Exam

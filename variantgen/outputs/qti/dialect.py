@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from xml.etree.ElementTree import Element
+
+from msgspec import Struct
 
 from variantgen.outputs.qti.xml_tree import element, fragment
 
@@ -18,8 +19,7 @@ _OLDER = {"figure": "div", "figcaption": "p"}
 _CAPITAL = re.compile("([A-Z])")
 
 
-@dataclass(frozen=True)
-class Dialect:
+class Dialect(Struct, frozen=True):
     """A version of QTI: namespaces with the places of their schemas, types of resources, how names are written.
 
     ``modern``: names like ``qti-item-body`` with the elements of HTML 5, not ``itemBody`` with those of XHTML.

@@ -6,11 +6,12 @@ Either one test draws a sheet for each student, all its problems together, or th
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from itertools import chain
 from pathlib import Path
 from typing import Any
 from xml.etree.ElementTree import Element
+
+from msgspec import Struct
 
 from variantgen.exam.exam_file import Exam
 from variantgen.outputs import formats
@@ -61,8 +62,7 @@ def finish(whole: WholeExam, dialect: Dialect) -> None:
         writer.write(made)
 
 
-@dataclass(frozen=True)
-class _Writer:
+class _Writer(Struct, frozen=True):
     """Writes tests and manifest from the indexes of the pieces."""
 
     dialect: Dialect

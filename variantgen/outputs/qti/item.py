@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from decimal import Decimal
 from xml.etree.ElementTree import Element
+
+from msgspec import Struct
 
 from variantgen.exam.exam_file import Exam
 from variantgen.outputs.html.fragments import notes_html, solution_html, statement_html
@@ -40,8 +41,7 @@ def title(question: Question, exam: Exam) -> str:
     return one_line(f"{exam.title}. {what}")
 
 
-@dataclass(frozen=True)
-class QtiItems:
+class QtiItems(Struct, frozen=True):
     """Makes the items of an exam in a version of QTI."""
 
     dialect: Dialect

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from variantgen.exam.exam_file import Exam
 from variantgen.figure.drawing import Drawing
@@ -16,8 +16,7 @@ from variantgen.wording.mathml import to_mathml
 MATHML, HTML = "mathml", "html"
 
 
-@dataclass(frozen=True)
-class PackageOptions:
+class PackageOptions(Struct, frozen=True):
     """``figures``: the form of pictures; ``formulas``: how those of solutions are written.
 
     ``drawn``: one test that draws a sheet for each student, not a test for each. ``names``: titles have the names of

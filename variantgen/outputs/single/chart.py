@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from html import escape
 
 import numpy as np
+from msgspec import Struct
 
 from variantgen.mechanism.motion import Field
 from variantgen.outputs.motion.ranges import round_ticks, tick_texts, visible_range
@@ -17,16 +17,14 @@ _WIDTH, _LEFT, _RIGHT, _HEIGHT, _GAP = 640.0, 70.0, 16.0, 96.0, 34.0
 _MARKS_ACROSS, _MARKS_UP = 9, 5  # at most so many numbers on an axis
 
 
-@dataclass(frozen=True)
-class ChartCurve:
+class ChartCurve(Struct, frozen=True):
     """A curve: its title with the unit, and its values, shape (K,); NaN where there is none."""
 
     title: str
     values: Field
 
 
-@dataclass(frozen=True)
-class Abscissa:
+class Abscissa(Struct, frozen=True):
     """What curves are drawn over: values of the shape (K,), a title, the index of the value that a line marks.
 
     ``angles``: degrees; ``bounded``: whether something stops the motion at the beginning and at the end, where values
@@ -61,8 +59,7 @@ def chart(abscissa: Abscissa, curves: Sequence[ChartCurve], language: Language) 
     return "\n".join(parts)
 
 
-@dataclass(frozen=True)
-class _Axis:
+class _Axis(Struct, frozen=True):
     """Numbers from ``low`` to ``high`` between two places in pixels."""
 
     low: float

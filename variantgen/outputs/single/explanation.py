@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import cast
+
+from msgspec import Struct
 
 from variantgen.families.asking import read_ask
 from variantgen.families.quantities import Quantity, motion_order
@@ -20,8 +21,7 @@ from variantgen.wording.solution.document import SolutionText
 from variantgen.wording.solution.plain import plain_solution
 
 
-@dataclass(frozen=True, repr=False)
-class Explanation:
+class Explanation(Struct, frozen=True):
     """A worked solution of a variant; ``text`` holds its parts."""
 
     variant: Variant

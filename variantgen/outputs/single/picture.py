@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam.solution_figures import SolutionFigures, view_order
@@ -27,8 +28,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure, SubFigure
 
 
-@dataclass(frozen=True, repr=False)
-class Picture:
+class Picture(Struct, frozen=True):
     """A drawing with its renderings; a notebook shows it by itself."""
 
     drawing: Drawing

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from msgspec import Struct, field
 
 from variantgen.exam.sheets import Answer, Item
 from variantgen.families.quantities import Quantity
@@ -10,8 +10,7 @@ from variantgen.wording.formula import to_plain
 from variantgen.wording.language import Language
 
 
-@dataclass
-class Headings:
+class Headings(Struct):
     """The symbols and units of answers as plain text; each is written once."""
 
     language: Language

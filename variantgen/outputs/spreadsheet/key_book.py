@@ -6,8 +6,9 @@ The last sheet tells how much work everyone has.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from pathlib import Path
+
+from msgspec import Struct
 
 from variantgen.exam.exam_file import Exam
 from variantgen.exam.sheets import Answer, Item, Sheet
@@ -51,8 +52,7 @@ def _asked_alike(sheets: Sequence[Sheet], place: int, headings: Headings) -> lis
     return [found[key] for key in sorted(found)]
 
 
-@dataclass(frozen=True)
-class _Row:
+class _Row(Struct, frozen=True):
     """An answer and whose it is."""
 
     sheet: Sheet
@@ -180,8 +180,7 @@ class _Table:
         return "; ".join(remarks)
 
 
-@dataclass(frozen=True)
-class _Column:
+class _Column(Struct, frozen=True):
     """The columns of a quantity: the first, how many intervals there are, decimals, their width in letters."""
 
     first: int

@@ -6,16 +6,14 @@ row it stands in goes with the row.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
+from msgspec import Struct
 from xlsxwriter.utility import xl_col_to_name, xl_rowcol_to_cell
 
 NOT_A_NUMBER = "?"
 _DECIMALS = 9  # to which a sum of decimal numbers is rounded, so that it is what it would be in decimals
 
 
-@dataclass(frozen=True)
-class Rows:
+class Rows(Struct, frozen=True):
     """The rows of students on another worksheet, its title as it stands in formulas."""
 
     title: str

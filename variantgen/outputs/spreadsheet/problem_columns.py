@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from variantgen.exam.exam_file import Exam, ExamProblem
 from variantgen.exam.sheets import Answer, Sheet
@@ -13,8 +14,7 @@ from variantgen.wording.language import Language
 PER_ANSWER = 3  # columns on the sheet of answers: value and bounds
 
 
-@dataclass(frozen=True)
-class ProblemColumns:
+class ProblemColumns(Struct, frozen=True):
     """A problem and its columns: what is asked (where students differ), what is typed, points, correction.
 
     ``place`` is the index of the problem on a sheet, ``most`` the largest number of answers. ``names`` are symbols and

@@ -8,8 +8,9 @@ text of solutions.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 from typing import Any
+
+from msgspec import Struct, field
 
 from variantgen.exam import solution_paper
 from variantgen.exam.solution_paper import EM, WIDTH
@@ -32,8 +33,7 @@ _CAPITALS, _LEADING = 0.683, 0.64  # the height of a line of letters, and what i
 Formulas = Sequence[Sequence[tuple[str, Piece]]]  # in pieces that hold together, with the sign before each
 
 
-@dataclass
-class Line:
+class Line(Struct):
     """A line of a row: what is on it, from its indent."""
 
     indent: float
@@ -82,8 +82,7 @@ class Line:
         return [self.indent, round(self.scale, 3), self.bottom, self.top, told]
 
 
-@dataclass(frozen=True)
-class Row(Lettered):
+class Row(Lettered, Struct, frozen=True):
     """A row in lines; ``wide``: as the page."""
 
     wide: bool

@@ -5,7 +5,6 @@ Tagged documents have the plain text beside the markup, for programs that read a
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from functools import lru_cache
 from typing import Any
 
@@ -42,12 +41,14 @@ class Piece(TypstMarkup):
         return "".join(map(to_plain, self.formulas))
 
 
-class Lettered(ABC):
+class Lettered:
     """What documents without tags have as letters at their places, and others with the markup of formulas."""
 
-    @abstractmethod
+    __slots__ = ()
+
     def data(self, letters: bool, table: FragmentTable | None = None) -> Any:
         """The data for templates; fragments by their numbers in the ``table`` of the document, if it has one."""
+        raise NotImplementedError
 
 
 @lru_cache(maxsize=10_000)

@@ -8,9 +8,10 @@ All lengths are in millimetres.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from math import ceil, floor
 from typing import Any
+
+from msgspec import Struct
 
 from variantgen.outputs.typst.heights import EM, Heights
 from variantgen.outputs.typst.set_formulas import set_width
@@ -39,8 +40,7 @@ _HEAD = ("group", "name", "number", "sheet-code", "blank")
 _LONGEST_SHORT = 39
 
 
-@dataclass(frozen=True)
-class Size:
+class Size(Struct, frozen=True):
     """Millimetres of a figure unit, and the least room between problems."""
 
     unit: float
@@ -51,8 +51,7 @@ class Size:
 SIZES = (Size(0.8, 4.5), Size(0.68, 4.5), Size(0.62, 3.5))
 
 
-@dataclass(frozen=True)
-class AnswerRows:
+class AnswerRows(Struct, frozen=True):
     """Rows of cells for the answers: how many stand in a row, how wide they are, how high all rows."""
 
     columns: int
@@ -60,8 +59,7 @@ class AnswerRows:
     height: float
 
 
-@dataclass(frozen=True)
-class Arrangement:
+class Arrangement(Struct, frozen=True):
     """How a problem stands on the page: the text has the room that the figure leaves.
 
     The table is below both or, ``beside``, in the column of the text.

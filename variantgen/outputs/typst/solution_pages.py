@@ -8,9 +8,11 @@ for it next. The figure of a statement stands at the head of the right column, b
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
 from itertools import islice
 from typing import Any
+
+from msgspec import Struct, field
+from msgspec.structs import replace
 
 from variantgen.exam.solution_paper import BETWEEN_COLUMNS, COLUMN, EM, HEIGHT
 
@@ -27,8 +29,7 @@ _CLOSER = (0.92, 0.83)
 Standing = tuple[str, int, int, float, float, float]
 
 
-@dataclass(frozen=True)
-class Block:
+class Block(Struct, frozen=True):
     """A unit of a problem or, with a ``unit`` of its own, a figure.
 
     ``figures`` belong to a unit, ``parts`` are where what it consists of begins, from its top.
@@ -52,8 +53,7 @@ class Block:
         return replace(self, unit=unit, high=self.high - self.drawn * (self.unit - unit))
 
 
-@dataclass(frozen=True)
-class ProblemBlocks:
+class ProblemBlocks(Struct, frozen=True):
     """The heights of its headings (below something else, at the head of a page), its units, the statement's figure."""
 
     headings: tuple[float, float]
@@ -66,16 +66,14 @@ class ProblemBlocks:
         return replace(self, units=tuple(units))
 
 
-@dataclass
-class _Column:
+class _Column(Struct):
     items: list[tuple[Block, float]]
     high: float
     units: Sequence[Block]  # those that are left
     waiting: list[Block]  # figures that are left
 
 
-@dataclass
-class _Columns:
+class _Columns(Struct):
     left: _Column
     right: _Column
 
@@ -88,8 +86,7 @@ class _Columns:
         return not self.right.units and not self.right.waiting
 
 
-@dataclass
-class _Pages:
+class _Pages(Struct):
     """Pages that are filled from above: ``y`` is where the last one ends, ``below`` the space that belongs there."""
 
     room: float

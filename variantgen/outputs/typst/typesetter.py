@@ -14,10 +14,11 @@ import shutil
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, cast
+
+from msgspec import Struct, field
 
 from variantgen.errors import ToolMissingError, VariantgenError
 from variantgen.exam.solution_paper import FOR_TEMPLATES, HEIGHT
@@ -40,13 +41,12 @@ class TypesettingError(VariantgenError):
     """The engine refused a document: a defect of the templates."""
 
 
-@dataclass(frozen=True)
-class Typesetter:
+class Typesetter(Struct, frozen=True, eq=False):
     """A folder with the templates, alone for the engine, what has been measured with them, and what is in its files."""
 
     root: Path
-    measured: dict[str, dict[str, float]] = field(default_factory=dict, compare=False, repr=False)
-    written: dict[str, str] = field(default_factory=dict, compare=False, repr=False)
+    measured: dict[str, dict[str, float]] = field(default_factory=dict)
+    written: dict[str, str] = field(default_factory=dict)
 
     def compile(
         self,

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import contextlib
 import threading
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+
+from msgspec import Struct
 
 from variantgen.errors import InputError, Problem, VariantgenError
 from variantgen.limits import TOML_BYTES
@@ -54,8 +55,7 @@ class _OvertakenError(Exception):
     """Another program has saved the file while a change was made."""
 
 
-@dataclass(frozen=True)
-class State:
+class State(Struct, frozen=True):
     """The text of a file at a version, what it says, and what is wrong with it."""
 
     text: str

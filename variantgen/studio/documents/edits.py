@@ -13,10 +13,11 @@ import json
 import re
 import tomllib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from decimal import Decimal
 from itertools import pairwise
 from typing import Any
+
+from msgspec import Struct
 
 from variantgen.errors import InputError, Problem
 from variantgen.studio.documents.toml_lines import Entry, Path, Places, detached, parse_path, places, written_path
@@ -28,8 +29,7 @@ _LARGEST = Decimal("1e300")  # beyond which JSON has no number
 _PLACES = 10_000  # of a list
 
 
-@dataclass(frozen=True)
-class Operation:
+class Operation(Struct, frozen=True):
     """What is to be done with a key; ``at`` counts from 0."""
 
     op: str

@@ -9,9 +9,11 @@ from __future__ import annotations
 import hashlib
 import json
 import time
-from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
+
+from msgspec import Struct, field
+from msgspec.structs import asdict, replace
 
 from variantgen.studio.workspace import write_whole
 
@@ -20,8 +22,7 @@ _CONTINUED = ("changed", "changed_in_problem", "text")
 _PAUSE = 1.5  # seconds between changes that are one step
 
 
-@dataclass(frozen=True)
-class FileChange:
+class FileChange(Struct, frozen=True):
     """A change: the versions before and after it, the key of the words for it with what they name, whose it was.
 
     ``deed`` is what was done to another file than that of the exam.
@@ -75,7 +76,7 @@ class Journal:
 
     def _write(self) -> None:
         self._folder.mkdir(parents=True, exist_ok=True)
-        data: dict[str, Any] = {"done": self.done, "steps": [vars(step) for step in self.steps]}
+        data: dict[str, Any] = {"done": self.done, "steps": [asdict(step) for step in self.steps]}
         write_whole(self._file, json.dumps(data, ensure_ascii=False))
 
     def keep(self, text: str) -> str:

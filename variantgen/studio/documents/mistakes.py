@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
+
+from msgspec import Struct
 
 from variantgen.errors import InputError, Problem
 from variantgen.studio.documents.toml_lines import parse_path, places
 from variantgen.tables import parse_toml
 
 
-@dataclass(frozen=True)
-class Mistake:
+class Mistake(Struct, frozen=True):
     """A mistake in the text of a file, with its line."""
 
     line: int

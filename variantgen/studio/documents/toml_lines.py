@@ -7,8 +7,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TypeAlias
+
+from msgspec import Struct
 
 from variantgen.errors import InputError, Problem
 from variantgen.limits import KEY_PARTS
@@ -21,8 +22,7 @@ _LONGEST = 1000  # letters of a key
 _STRINGS = ('"""', "'''", '"', "'")
 
 
-@dataclass(frozen=True)
-class Entry:
+class Entry(Struct, frozen=True):
     """A key with its value: its full path, the places in the text of its line, its value, its end of line."""
 
     path: Path
@@ -32,8 +32,7 @@ class Entry:
     end: int
 
 
-@dataclass(frozen=True)
-class Header:
+class Header(Struct, frozen=True):
     """The head of a table: its path, where the block of it begins (with the comments above it), its line, its end."""
 
     path: Path
@@ -42,8 +41,7 @@ class Header:
     end: int
 
 
-@dataclass(frozen=True)
-class Places:
+class Places(Struct, frozen=True):
     """The places of all keys and heads of a text, in their order."""
 
     text: str

@@ -5,10 +5,11 @@ from __future__ import annotations
 import shutil
 import zipfile
 from collections.abc import Callable
-from dataclasses import replace
 from decimal import Decimal, InvalidOperation
 from pathlib import Path
 from typing import Any
+
+from msgspec.structs import replace
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam.marking_policy import MarkingPolicy

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Generator
-from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TypeAlias
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.errors import InputError, Problem, VariantgenError
 from variantgen.exam.manifest import read_manifest
@@ -35,8 +37,7 @@ class _StoppedError(Exception):
     """Scans are to be read no further."""
 
 
-@dataclass(frozen=True)
-class MarkedClass:
+class MarkedClass(Struct, frozen=True):
     """The marks of a class, with what they were made from; ``doubtful`` are readings that nobody has decided.
 
     ``pages`` are those of scans whose student is known, by the place of the student, ``lost`` those that could not be

@@ -16,8 +16,10 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
 from difflib import SequenceMatcher
+
+from msgspec import Struct, field
+from msgspec.structs import replace
 
 from variantgen.exam import printable
 from variantgen.exam.roster import Student
@@ -37,8 +39,7 @@ ANSWERS: Mapping[str, tuple[str, ...]] = {
 _ALIKE = 0.85  # of two names, from which on they may be the same misspelt
 
 
-@dataclass(frozen=True)
-class RowQuestion:
+class RowQuestion(Struct, frozen=True):
     """What is asked of a row (by its tab and number) or of an id; ``key`` is that of its answer."""
 
     key: str
@@ -49,8 +50,7 @@ class RowQuestion:
     now: Student | None = None
 
 
-@dataclass(frozen=True)
-class ClassReading:
+class ClassReading(Struct, frozen=True):
     """The students of a table, what is asked, the rows that are left out, the tabs without a column for names."""
 
     students: tuple[Student, ...]

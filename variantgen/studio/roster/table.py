@@ -12,9 +12,11 @@ import json
 import re
 import threading
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
+
+from msgspec import Struct, field
+from msgspec.structs import replace
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam.roster.columns import NAME_PARTS, cell_of, find_columns
@@ -31,8 +33,7 @@ _LONGEST = 400
 _KEY = 16  # digits of a hash that name a table or a version
 
 
-@dataclass(frozen=True)
-class Tab:
+class Tab(Struct, frozen=True):
     """A worksheet: its rows, the place of the first student's row, what each column holds, whether it is used."""
 
     title: str
@@ -49,8 +50,7 @@ class Tab:
         )
 
 
-@dataclass(frozen=True)
-class ClassTable:
+class ClassTable(Struct, frozen=True):
     """A table that was brought: its name, its worksheets, answers by question, and what it was used for.
 
     ``taken`` is the hash of the class list that was made of it; '' for one that is not used yet.

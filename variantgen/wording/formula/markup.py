@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from enum import Enum
 from typing import ClassVar
+
+from msgspec import Struct
 
 from variantgen.wording.formula import precedence
 from variantgen.wording.formula.precedence import Between
@@ -39,8 +40,7 @@ from variantgen.wording.formula.tree import (
 )
 
 
-@dataclass(frozen=True)
-class Signs:
+class Signs(Struct, frozen=True):
     """The signs of a markup, with the spaces around them."""
 
     minus: str  # before a first term

@@ -7,8 +7,9 @@ Nothing that comes from a roster or an exam file is ever part of a formula.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
+
+from msgspec import Struct
 
 GREEK = {
     "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "theta": "θ", "lambda": "λ",
@@ -67,32 +68,28 @@ class Measured(NamedTuple):
     unit: UnitText
 
 
-@dataclass(frozen=True)
-class Equation:
+class Equation(Struct, frozen=True):
     """``left = right``."""
 
     left: Formula
     right: Formula
 
 
-@dataclass(frozen=True)
-class SymbolProperty:
+class SymbolProperty(Struct, frozen=True):
     """What is asked of a symbol: its ``modulus``, its ``angle`` with the x axis, its ``sense``."""
 
     what: str
     symbol: Symbol
 
 
-@dataclass(frozen=True)
-class Quotient:
+class Quotient(Struct, frozen=True):
     """``ω_1/ω_2``: two symbols in a line, as a ratio that is asked is called."""
 
     above: Symbol
     below: Symbol
 
 
-@dataclass(frozen=True)
-class FormulaList:
+class FormulaList(Struct, frozen=True):
     """Formulas one after the other: points of a plan that coincide, the arguments of a function.
 
     Commas stand between symbols; semicolons where a number could have a decimal comma.
@@ -101,8 +98,7 @@ class FormulaList:
     items: tuple[Formula, ...]
 
 
-@dataclass(frozen=True)
-class Sum:
+class Sum(Struct, frozen=True):
     """``a − b + c``: terms with their signs, +1 or −1."""
 
     terms: tuple[tuple[int, Formula], ...]
@@ -112,8 +108,7 @@ class Sum:
             raise ValueError(f"terms with the signs +1 and −1, not {self.terms}")
 
 
-@dataclass(frozen=True)
-class Product:
+class Product(Struct, frozen=True):
     """``ω_OA · OA``, ``v_A cos 30°``, ``2 ω``: factors with a dot or a space, as :func:`precedence.between` says."""
 
     factors: tuple[Formula, ...]
@@ -123,60 +118,52 @@ class Product:
             raise ValueError("a product without factors")
 
 
-@dataclass(frozen=True)
-class Fraction:
+class Fraction(Struct, frozen=True):
     """Numerator over denominator."""
 
     numerator: Formula
     denominator: Formula
 
 
-@dataclass(frozen=True)
-class Power:
+class Power(Struct, frozen=True):
     """A base with a whole exponent."""
 
     base: Formula
     exponent: int
 
 
-@dataclass(frozen=True)
-class Root:
+class Root(Struct, frozen=True):
     """A square root."""
 
     radicand: Formula
 
 
-@dataclass(frozen=True)
-class Function:
+class Function(Struct, frozen=True):
     """``cos φ``, ``arctg(y/x)``: the name is a word as the language prints it."""
 
     name: str
     argument: Formula
 
 
-@dataclass(frozen=True)
-class Parenthesised:
+class Parenthesised(Struct, frozen=True):
     """Parentheses where the structure alone would not ask for them."""
 
     content: Formula
 
 
-@dataclass(frozen=True)
-class Absolute:
+class Absolute(Struct, frozen=True):
     """``|a|``: a modulus."""
 
     content: Formula
 
 
-@dataclass(frozen=True)
-class Vector:
+class Vector(Struct, frozen=True):
     """A letter with an arrow above; its index stands without."""
 
     symbol: Symbol
 
 
-@dataclass(frozen=True)
-class Dotted:
+class Dotted(Struct, frozen=True):
     """A letter with ``count`` dots above, 1 or 2: derivatives with respect to time."""
 
     symbol: Symbol
@@ -187,16 +174,14 @@ class Dotted:
             raise ValueError(f"one or two dots, not {self.count}")
 
 
-@dataclass(frozen=True)
-class Cross:
+class Cross(Struct, frozen=True):
     """``ω × r``: a vector product."""
 
     left: Formula
     right: Formula
 
 
-@dataclass(frozen=True)
-class PointCoordinates:
+class PointCoordinates(Struct, frozen=True):
     """``A(3; 4)``: a point with its coordinates."""
 
     point: Symbol
@@ -207,8 +192,7 @@ class PointCoordinates:
 SIGNS = ("=", "≈", "<", "≤", "≥", "→", "∥", "⟂")
 
 
-@dataclass(frozen=True)
-class Relation:
+class Relation(Struct, frozen=True):
     """``a = b = c ≈ d``: items with one of ``SIGNS`` between each two of them."""
 
     items: tuple[Formula, ...]
@@ -219,8 +203,7 @@ class Relation:
             raise ValueError(f"{len(self.items)} items cannot have the signs {self.signs} between them")
 
 
-@dataclass(frozen=True)
-class Surd:
+class Surd(Struct, frozen=True):
     """``numerator / denominator · √radicand``: ``40√3/3``, ``−√2``, ``4/3``; whole numbers, the last two positive."""
 
     numerator: int
@@ -232,8 +215,7 @@ class Surd:
             raise ValueError(f"denominator {self.denominator} and radicand {self.radicand} have to be positive")
 
 
-@dataclass(frozen=True)
-class Graph:
+class Graph(Struct, frozen=True):
     """A chain of links in the notation of graphs: a start, then legs (number of the link, next point).
 
     Each leg is an arrow with the number above: ``O —1→ A —2→ B``.

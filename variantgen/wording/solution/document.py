@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
 from typing import TypeAlias
+
+from msgspec import Struct, field
 
 from variantgen.families.quantities import Quantity
 from variantgen.methods.steps.point_vectors import PointVectors
@@ -13,29 +14,25 @@ from variantgen.wording.formula import Formula, Number
 from variantgen.wording.text import Text
 
 
-@dataclass(frozen=True, slots=True)
-class Paragraph:
+class Paragraph(Struct, frozen=True):
     """Text with formulas in it."""
 
     text: Text
 
 
-@dataclass(frozen=True, slots=True)
-class FormulaLine:
+class FormulaLine(Struct, frozen=True):
     """A formula in pieces between which it may be broken: ``v_A``, ``= omega OA``, ``= 3 * 40``, ``= 120 cm/s``."""
 
     pieces: tuple[tuple[str, Formula], ...]
 
 
-@dataclass(frozen=True, slots=True)
-class FormulaLines:
+class FormulaLines(Struct, frozen=True):
     """Formulas one after the other."""
 
     lines: tuple[FormulaLine, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class VectorTableRow:
+class VectorTableRow(Struct, frozen=True):
     """A vector of an equation: itself, its direction in words, its magnitude (None: unknown)."""
 
     vector: Formula
@@ -43,8 +40,7 @@ class VectorTableRow:
     magnitude: Formula | None
 
 
-@dataclass(frozen=True, slots=True)
-class VectorTable:
+class VectorTable(Struct, frozen=True):
     """The vectors of an equation with what is known of them."""
 
     heads: tuple[str, str, str]
@@ -52,8 +48,7 @@ class VectorTable:
     rows: tuple[VectorTableRow, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Program:
+class Program(Struct, frozen=True):
     """A listing and what it prints."""
 
     code: str
@@ -101,8 +96,7 @@ def ascending(lines: Sequence[FormulaLine]) -> FormulaLines:
     return FormulaLines((FormulaLine((first, *inner, ("<", last[1]))),))
 
 
-@dataclass(frozen=True, slots=True)
-class Section:
+class Section(Struct, frozen=True):
     """A numbered step with its heading; ``views`` are the kinds of figures that go with it."""
 
     heading: Text
@@ -110,8 +104,7 @@ class Section:
     views: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class SolutionText:
+class SolutionText(Struct, frozen=True):
     """A whole solution in a language.
 
     Figures show its ``centres`` (rays to acceleration centres) as if asked, draw its ``vectors`` and mark its

@@ -10,9 +10,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cache
 from typing import Any
+
+from msgspec import Struct
 
 from variantgen.resources import templates_dir
 from variantgen.tables import read_toml
@@ -22,16 +23,14 @@ _FIELD = re.compile(r"\{(=?)(\w+)(?:\.(\w+))?\}")
 TABLES = ("words", "bodies", "functions")
 
 
-@dataclass(frozen=True, slots=True)
-class SentenceField:
+class SentenceField(Struct, frozen=True):
     """A place in a sentence that a fact fills, perhaps in a form."""
 
     name: str
     form: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class Letter:
+class Letter(Struct, frozen=True):
     """A letter set as in a formula: an axis, an angle."""
 
     name: str
@@ -54,8 +53,7 @@ def cut(text: str) -> Phrase:
     return tuple(parts)
 
 
-@dataclass(frozen=True)
-class Phrases:
+class Phrases(Struct, frozen=True):
     """Sentences by key ``file.name``, and tables of words, of names of bodies by kind and form, of functions."""
 
     sentences: Mapping[str, Phrase]

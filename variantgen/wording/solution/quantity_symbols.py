@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass, field
+
+from msgspec import Struct, field
 
 from variantgen.algebra.name import ON_LINE, Name
 from variantgen.families.family import Form
@@ -19,15 +20,14 @@ _AXES = {"x": "x", "y": "y", "on_n": "n", "on_tau": "tau", "xi": "xi", "eta": "e
 _COMPONENTS = ("n", "tau")  # of an acceleration: towards the centre, along the path
 
 
-@dataclass(frozen=True)
-class Symbols:
+class Symbols(Struct, frozen=True, eq=False):
     """How the names of one variant are written. ``centres`` are the letters of velocity centres by body."""
 
     form: Form
     language: Language
     phrases: Phrases
     centres: Mapping[str, Symbol]
-    _letters: dict[Name, Symbol] = field(default_factory=dict, compare=False, repr=False)
+    _letters: dict[Name, Symbol] = field(default_factory=dict)
 
     def of(self, name: Name) -> Formula:
         """The symbol of a name; a derivative by time has dots; direction cosines are functions."""

@@ -8,7 +8,7 @@ from variantgen.algebra.expression import Expression
 from variantgen.methods.geometry.constructed_point import ConstructedPoint
 
 
-class Derivation(ConstructedPoint):
+class Derivation(ConstructedPoint, frozen=True):
     """The point at a ``distance`` from ``origin``; the printed angle gives the direction of the link."""
 
     def neighbours(self) -> tuple[str, ...]:

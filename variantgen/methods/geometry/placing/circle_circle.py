@@ -18,7 +18,7 @@ _SIDES = 2  # of a triangle on the line of centres
 _NEAR = 1e-9  # relative difference of two lengths that are one
 
 
-class Derivation(ConstructedPoint):
+class Derivation(ConstructedPoint, frozen=True):
     """The point at ``first_distance`` from ``first`` and ``second_distance`` from ``second``."""
 
     def neighbours(self) -> tuple[str, ...]:

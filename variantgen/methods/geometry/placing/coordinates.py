@@ -8,7 +8,7 @@ from variantgen.methods.geometry.legs import Leg
 from variantgen.methods.geometry.located_point import ORIGIN
 
 
-class Derivation(ConstructedPoint):
+class Derivation(ConstructedPoint, frozen=True):
     """``z = x + i y`` in the scene, laid on paper."""
 
     def neighbours(self) -> tuple[str, ...]:

@@ -8,7 +8,7 @@ from variantgen.methods.geometry.constructed_point import ConstructedPoint
 from variantgen.methods.geometry.located_point import Ray
 
 
-class Derivation(ConstructedPoint):
+class Derivation(ConstructedPoint, frozen=True):
     """The foot of the perpendicular from ``of`` to the line through ``through``."""
 
     def neighbours(self) -> tuple[str, ...]:

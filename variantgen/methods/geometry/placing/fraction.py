@@ -9,7 +9,7 @@ from variantgen.methods.geometry.constructed_point import ConstructedPoint
 from variantgen.methods.geometry.located_point import Pair, Ray
 
 
-class Derivation(ConstructedPoint):
+class Derivation(ConstructedPoint, frozen=True):
     """``z = z_start + part * (z_end - z_start)``."""
 
     def neighbours(self) -> tuple[str, ...]:

@@ -13,7 +13,7 @@ from variantgen.methods.geometry.located_point import Ray
 from variantgen.methods.steps.step import triangle
 
 
-class Derivation(ConstructedPoint):
+class Derivation(ConstructedPoint, frozen=True):
     """The link ``centre`` - point of given length, whose end is led along a line.
 
     The distance h of its other end from the line gives its angle with the line, ``sin beta = h / r``, and the way along

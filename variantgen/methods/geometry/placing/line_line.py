@@ -9,7 +9,7 @@ from variantgen.methods.geometry.constructed_point import ConstructedPoint
 from variantgen.methods.geometry.located_point import Ray
 
 
-class Derivation(ConstructedPoint):
+class Derivation(ConstructedPoint, frozen=True):
     """The crossing of the line through ``first`` and the line through ``second``."""
 
     def neighbours(self) -> tuple[str, ...]:

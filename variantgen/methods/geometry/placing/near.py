@@ -18,7 +18,7 @@ from variantgen.methods.geometry.located_point import ORIGIN, Pair
 from variantgen.methods.steps.step import Derived, EquationLine, Point
 
 
-class Derivation(ConstructedPoint):
+class Derivation(ConstructedPoint, frozen=True):
     """A point of a group of links that has no solution in closed form."""
 
     in_system: ClassVar[bool] = True

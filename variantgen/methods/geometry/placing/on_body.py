@@ -7,7 +7,7 @@ from variantgen.methods.geometry.legs import Leg
 from variantgen.methods.geometry.located_point import Ray
 
 
-class Derivation(ConstructedPoint):
+class Derivation(ConstructedPoint, frozen=True):
     """``along`` the ray ``origin`` -> ``towards`` and ``across`` it, to its left."""
 
     def neighbours(self) -> tuple[str, ...]:

@@ -10,7 +10,7 @@ from variantgen.methods.geometry.constructed_point import ConstructedPoint
 from variantgen.methods.geometry.located_point import Ray
 
 
-class Derivation(ConstructedPoint):
+class Derivation(ConstructedPoint, frozen=True):
     """``z = z_origin + distance * exp(i*angle)``, the angle counted from the x axis or from a ray."""
 
     def neighbours(self) -> tuple[str, ...]:

@@ -9,7 +9,7 @@ from variantgen.algebra.normal_form import Signed, positive, summed
 from variantgen.methods.geometry.constructed_point import ConstructedPoint
 
 
-class Derivation(ConstructedPoint):
+class Derivation(ConstructedPoint, frozen=True):
     """The tangent point on the drum (``centre``, ``radius``) of a thread to the drum (``to``, ``to_radius``)."""
 
     def neighbours(self) -> tuple[str, ...]:

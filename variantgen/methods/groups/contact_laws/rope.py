@@ -6,7 +6,7 @@ slipping: that point of the body has the velocity of the thread (guide, examples
 
 from __future__ import annotations
 
-from dataclasses import replace
+from msgspec.structs import replace
 
 from variantgen.mechanism.joints.rope import Bend, Rope
 from variantgen.methods.groups.contact import ContactSide, NoSlipContact, letter_at, metres, resting_letter
