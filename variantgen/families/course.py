@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from decimal import Decimal
 from functools import cached_property
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 from msgspec import Struct
@@ -15,7 +15,9 @@ from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.mechanism.arithmetic import Real
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.scene import Scene
-from variantgen.mechanism.turn.timed_places import TimedPlaces
+
+if TYPE_CHECKING:
+    from variantgen.mechanism.turn.timed_places import TimedPlaces
 
 
 class Interval(Struct, frozen=True):
@@ -127,6 +129,8 @@ class FormByPlace(Struct, frozen=True, dict=True):
 
     @cached_property
     def _ways(self) -> TimedPlaces:
+        from variantgen.mechanism.turn.timed_places import TimedPlaces
+
         size = max(np.size(value) for value in (*self.parameters.values(), self.first, self.last))
         first, last = (
             np.array(np.broadcast_to(np.asarray(end, dtype=float), (size,))) for end in (self.first, self.last)

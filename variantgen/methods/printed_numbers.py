@@ -122,7 +122,8 @@ class PrintedNumbers(Struct, dict=True):
         if name.kind in ("v", "a"):
             return self._size_of_vector(exact, name)
         if name.kind == "heading":
-            return min((_turn(exact - _degrees(v)) for v in self.solved.vectors(_headed(name)) if v), default=0.0)
+            headed = name._replace(kind=name.body, body="")  # the vector of which it is the direction
+            return min((_turn(exact - _degrees(v)) for v in self.solved.vectors(headed) if v), default=0.0)
         if name.kind == "parameter":  # signs of laws of time are left to the figure, as those of rates
             found = self.solved.derived(name, value.measure)
             return min((_relative(abs(exact) - abs(right), abs(right)) for right in found), default=0.0)
@@ -277,11 +278,6 @@ def _is_opposite(value: Value) -> bool:
         case Total(((-1, Value() as other),)):
             return other.name == value.name
     return False
-
-
-def _headed(name: Name) -> Name:
-    """The vector of which a name is the direction."""
-    return name._replace(kind=name.body, body="")
 
 
 def _relative(gap: float, scale: float) -> float:

@@ -14,7 +14,7 @@ from typing import NamedTuple
 from variantgen.figure.board import Board
 from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Layer
 from variantgen.figure.sketch import HINGE
-from variantgen.figure.symbols._strands import RADIUS, Strand, all_strands, parallel_ropes
+from variantgen.figure.symbols._strands import RADIUS, StrandLine, all_strands, parallel_ropes
 from variantgen.figure.symbols.guide import HALF_LOAD
 from variantgen.mechanism.joints.rope import Rope
 
@@ -66,7 +66,7 @@ def draw(board: Board, joint: Rope) -> None:
             _name_at_rest(board, rope, strands, own)
 
 
-def _name_at_rest(board: Board, joint: Rope, pieces: Sequence[Strand], sheaves: Mapping[int, Sheave]) -> None:
+def _name_at_rest(board: Board, joint: Rope, pieces: Sequence[StrandLine], sheaves: Mapping[int, Sheave]) -> None:
     """The names of stations at rest stand where these are drawn."""
     ends = {0: pieces[0].start, len(joint.path) - 1: pieces[-1].end}
     for i, bend in enumerate(joint.path):
@@ -77,7 +77,7 @@ def _name_at_rest(board: Board, joint: Rope, pieces: Sequence[Strand], sheaves: 
             board.sized(bend.point, sheaves[i].radius if i in sheaves else _HATCH)
 
 
-def ropes_with_strands(board: Board) -> Iterator[tuple[Rope, list[Strand]]]:
+def ropes_with_strands(board: Board) -> Iterator[tuple[Rope, list[StrandLine]]]:
     """Each parallel rope with its straight pieces."""
     return zip(parallel_ropes(board), all_strands(board), strict=True)
 
@@ -130,7 +130,7 @@ def _is_load(board: Board, point: str) -> bool:
     return point in board.loads and not any(below)
 
 
-def _sheaves(joint: Rope, pieces: Sequence[Strand]) -> dict[int, Sheave]:
+def _sheaves(joint: Rope, pieces: Sequence[StrandLine]) -> dict[int, Sheave]:
     """The sheaves of a rope by the number of their station; the strands then end where these take them up."""
     found = {}
     for i, bend in enumerate(joint.path[1:-1], 1):
@@ -140,7 +140,7 @@ def _sheaves(joint: Rope, pieces: Sequence[Strand]) -> dict[int, Sheave]:
     return found
 
 
-def _between(arriving: Strand, leaving: Strand) -> Sheave | None:
+def _between(arriving: StrandLine, leaving: StrandLine) -> Sheave | None:
     """The sheave between two strands, whose ends are moved to where it takes them up; None where there is no bend."""
     bends = (leaving.way * arriving.way.conjugate()).real
     if bends > 1 - 1e-6:
@@ -225,7 +225,7 @@ def base(board: Board, foot: complex, away: complex, half: float = 3.0) -> None:
     board.sketch.hatch(start, end, away)
 
 
-def _half_base(own: Strand, foot: complex, others: Sequence[Strand]) -> float:
+def _half_base(own: StrandLine, foot: complex, others: Sequence[StrandLine]) -> float:
     """Half the width of a support: less where another strand runs close by."""
     gaps = [3.0 + _BESIDE]
     for strand in others:

@@ -26,7 +26,7 @@ _CLEAR = 0.8  # between a strand and the load beside it
 _BEFORE = 5.8  # from a block in its guide to its sheaves, u
 
 
-class Strand(Struct):
+class StrandLine(Struct):
     """A straight piece on paper: its ends, which lie on its line, and the direction from the first to the second."""
 
     start: complex
@@ -47,7 +47,7 @@ def parallel_ropes(board: Board) -> list[Rope]:
     return [joint for joint in board.scene.joints if isinstance(joint, Rope) and joint.parallel]
 
 
-def all_strands(board: Board) -> list[list[Strand]]:
+def all_strands(board: Board) -> list[list[StrandLine]]:
     """The straight pieces of each parallel rope."""
     return _Strands(board).found()
 
@@ -62,7 +62,7 @@ class _Strands:
         for point, along in dict(moving).items():
             self._settle(point, complex(board.frame.direction(along)))
 
-    def found(self) -> list[list[Strand]]:
+    def found(self) -> list[list[StrandLine]]:
         """The pieces of each rope."""
         return [[self._piece(number, i) for i in range(len(rope.path) - 1)] for number, rope in enumerate(self.ropes)]
 
@@ -74,7 +74,7 @@ class _Strands:
         radius = float(bend.radius) * self.board.sketch.scale if bend.body is not None else 0.0
         return self._at(bend), radius, float(self.board.frame.sense * bend.side)
 
-    def _piece(self, number: int, i: int) -> Strand:
+    def _piece(self, number: int, i: int) -> StrandLine:
         """A piece of a rope: along the way of its block, at its ends; between stations at rest straight on."""
         rope = self.ropes[number]
         first, second = rope.path[i : i + 2]
@@ -92,7 +92,7 @@ class _Strands:
             # At a station at rest, the strand is where its block has it.
             if strand_ends[k] not in self.placed and strand_ends[1 - k] in self.placed and bend.body is None:
                 ends[k] = ends[1 - k] + ((ends[k] - ends[1 - k]) * way.conjugate()).real * way
-        return Strand(ends[0], ends[1], (ends[1] - ends[0]) / abs(ends[1] - ends[0]))
+        return StrandLine(ends[0], ends[1], (ends[1] - ends[0]) / abs(ends[1] - ends[0]))
 
     def _rim(self, bend: Bend, way: complex) -> complex:
         """Where a strand of this direction touches a drum; any other station itself."""
@@ -206,11 +206,11 @@ def _is_end(path: Sequence[Bend], i: int) -> bool:
     return i in (0, len(path) - 1)
 
 
-def _between(first: tuple[complex, float, float], second: tuple[complex, float, float]) -> Strand:
+def _between(first: tuple[complex, float, float], second: tuple[complex, float, float]) -> StrandLine:
     """The piece between two circles or points."""
     way = complex(thread_direction(*first, *second)[0])
     ends = [centre + 1j * side * radius * way for centre, radius, side in (first, second)]
-    return Strand(ends[0], ends[1], way)
+    return StrandLine(ends[0], ends[1], way)
 
 
 def _spread(wanted: Sequence[float | None], half: float) -> list[float]:

@@ -78,8 +78,8 @@ class Line(Struct):
             elif piece:
                 found.put((piece,))
         fragments = found.found()
-        told = fragments if table is None else table.numbers(fragments)
-        return [self.indent, round(self.scale, 3), self.bottom, self.top, told]
+        own = fragments if table is None else table.numbers(fragments)
+        return [self.indent, round(self.scale, 3), self.bottom, self.top, own]
 
 
 class Row(Lettered, Struct, frozen=True):

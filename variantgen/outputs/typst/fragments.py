@@ -3,7 +3,7 @@
 A fragment is a string (letters of full size on the line), a number (a space, em), letters that are raised or smaller,
 a sign that grows or a bar, which take no room, or the markup of a formula that is left to the engine. The fewer there
 are, the less the engine has to do: letters of one style are one fragment, also across spaces that the font has. Two
-thirds of those of a document come again in it: each is made once, and told by its number.
+thirds of those of a document come again in it: each is made once, and named by its number.
 """
 
 from __future__ import annotations

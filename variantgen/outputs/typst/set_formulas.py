@@ -60,7 +60,7 @@ def set_formulas(data: Any, longer: bool = False) -> dict[str, SetFormula]:
     }
 
 
-def told(formulas: Mapping[str, SetFormula], table: FragmentTable) -> dict[str, Sequence[Any]]:
+def numbered(formulas: Mapping[str, SetFormula], table: FragmentTable) -> dict[str, Sequence[Any]]:
     """The same for templates, with the numbers of fragments."""
     return {
         name: (width, lowest, highest, table.numbers(fragments), rest)

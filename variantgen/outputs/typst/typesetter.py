@@ -25,7 +25,7 @@ from variantgen.exam.solution_paper import FOR_TEMPLATES, HEIGHT
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs.typst.fragments import FragmentTable, signs
 from variantgen.outputs.typst.markup import Lettered, alternatives
-from variantgen.outputs.typst.set_formulas import set_formulas, told
+from variantgen.outputs.typst.set_formulas import numbered, set_formulas
 from variantgen.outputs.typst.solution_pages import contents_of, is_too_high, pages_of
 from variantgen.resources import templates_dir
 
@@ -66,7 +66,7 @@ class Typesetter(Struct, frozen=True, eq=False):
         table = FragmentTable() if form == "pdf" and not tagged else None
         text = _json(data, table, spoken=form == "pdf" and tagged)
         if table:
-            known["set-formulas"] = told(set_formulas(data, longer=template in _ROOMS), table)
+            known["set-formulas"] = numbered(set_formulas(data, longer=template in _ROOMS), table)
             known["fragments"] = table.lines()
         elif form == "pdf":
             known["alternatives"] = alternatives(data)
@@ -116,7 +116,7 @@ class Typesetter(Struct, frozen=True, eq=False):
     def _inputs(self, form: str, data: str, known: Mapping[str, Any]) -> dict[str, str]:
         """What templates are told: the names of the files with the data, which are those of this process.
 
-        The same names every time: what the engine remembers holds for documents that are told the same.
+        The same names every time: what the engine remembers holds for documents with the same inputs.
         """
         inputs = {"form": form}
         for name, text in {"data": data, **{name: _json(found) for name, found in known.items()}}.items():
