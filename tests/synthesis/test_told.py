@@ -127,3 +127,15 @@ def test_what_carries_two_rods_is_no_single_pin() -> None:
         assert "fixed to the sleeve" in english
         assert "с муфтой" in russian and "К муфте" in russian and "палец" not in russian.lower()
     assert all("sleeve" not in statement_text(draft, "en") for draft in _drafts("PRP01-RRR12"))
+
+
+@pytest.mark.parametrize("code", ["PRP01-RRR03-RRR25", "PRP01-RRR02-RRR35"])
+def test_two_rods_make_no_rigid_triangle_with_the_rod_on_the_same_pin(code: str) -> None:
+    """Two rods from a pin in two guides and from a rod on this pin: they would turn with it as one body."""
+    found = _drafts(code)
+    assert found
+    for draft in found:
+        for key, facts in draft.sentences:
+            if key == "two_rods":
+                ends = {facts["at_point"], facts["at_to_point"]}
+                assert not any(ends <= {*points} for points in draft.bodies.values())

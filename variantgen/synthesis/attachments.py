@@ -50,7 +50,7 @@ def _on_block(draft: Draft, link: Link, other: int) -> Attachment:
     """The pin of a block, or where that would make rigid triangles, the end of an arm that is fixed to the block."""
     if link.noun == "yoke" and (foot := draft.bodies[link.body][0]) not in draft.hints["hidden"]:
         return Attachment(link.start, "end", {"point": link.start, "noun": "yoke", "link": foot + link.start}, foot)
-    if other not in link.mates and not link.arm_only:
+    if not link.arm_only and not _is_pinned(draft, other, link.start):
         return Attachment(link.start, "slider", {"point": link.start, "block": link.noun})
     if link.extra:
         raise LayoutError("a second arm")
@@ -79,6 +79,12 @@ def _on_block(draft: Draft, link: Link, other: int) -> Attachment:
     if start in draft.hints.get("hidden", ()):
         return Attachment(point, "arm_across_slot", facts, link.start)
     return Attachment(point, "arm_across", facts | {"bar": start + end}, link.start)
+
+
+def _is_pinned(draft: Draft, number: int, point: str) -> bool:
+    """Whether a moving link is on a pin, by one of its ends or as a block; the frame (no link of the draft) is not."""
+    link = draft.links.get(number)
+    return link is not None and point in (link.start, link.end)
 
 
 def _as_slider(draft: Draft, point: str) -> None:
