@@ -139,3 +139,10 @@ def test_two_rods_make_no_rigid_triangle_with_the_rod_on_the_same_pin(code: str)
             if key == "two_rods":
                 ends = {facts["at_point"], facts["at_to_point"]}
                 assert not any(ends <= {*points} for points in draft.bodies.values())
+
+
+@pytest.mark.parametrize("code", ["RPR01-RRP20", "RPP10-RRR03"])
+def test_a_block_at_the_end_of_a_link_has_its_letter_in_every_opening(code: str) -> None:
+    for draft in _drafts(code):
+        for language, block in (("en", "The block {{ A }}"), ("ru", "Камень {{ A }}")):
+            assert statement_text(draft, language).startswith(block), draft.opening
