@@ -139,6 +139,8 @@ def test_two_rods_make_no_rigid_triangle_with_the_rod_on_the_same_pin(code: str)
             if key == "two_rods":
                 ends = {facts["at_point"], facts["at_to_point"]}
                 assert not any(ends <= {*points} for points in draft.bodies.values())
+        text = statement_text(draft, "en")
+        assert ("The slider {{ B }}" in text) is ("the pin {{ B }}" not in text)
 
 
 @pytest.mark.parametrize("code", ["RPR01-RRP20", "RPP10-RRR03"])

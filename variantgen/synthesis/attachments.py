@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from variantgen.synthesis.draft import Attachment, Draft, LayoutError, Link
+from variantgen.synthesis.draft import Attachment, Draft, Facts, LayoutError, Link
 
 _BEYOND = (0.4, 0.5, 0.6)  # how far an extension goes on, in lengths of the link
 _SLOT = 34  # half a groove across a slider, cm
@@ -94,10 +94,17 @@ def _as_slider(draft: Draft, point: str) -> None:
     place, facts = next((i, f) for i, (k, f) in enumerate(draft.sentences) if f.get("slider") == point)
     riding = "block" if facts["noun"] == "groove" else "collar"
     draft.sentences[place] = (f"slider_and_{riding}", facts)
+    draft.sentences = [(key, _on_slider(said, point)) for key, said in draft.sentences]
     for link in draft.links.values():
         if link.start == point and link.noun == "pin":
             link.noun = riding if link.guide is None else "slider"
     draft.relative = [(k, f | ({"block": riding} if f["point"] == point else {})) for k, f in draft.relative]
+
+
+def _on_slider(facts: Facts, point: str) -> Facts:
+    """The facts of a sentence in which what was told to hang on a pin hangs on the slider that is on it."""
+    own = (at for at in ("at", "at_to") if facts.get(f"{at}_point") == point and facts.get(f"{at}_block") == "pin")
+    return facts | {f"{at}_block": "slider" for at in own}
 
 
 def line_on(draft: Draft, number: int) -> Link:
