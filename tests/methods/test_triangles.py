@@ -147,6 +147,13 @@ def test_a_perpendicular_may_fall_beyond_the_vertex() -> None:
     assert "horizontal" not in text and "vertical" not in text
 
 
+@pytest.mark.parametrize(("phi", "said"), [(40, "to OC:"), (120, "to OC, produced beyond O:")])
+def test_a_perpendicular_may_fall_beyond_the_other_end_of_the_line(phi: int, said: str) -> None:
+    # From C the foot is at 60 - 26 cos phi: 40.1 with 40 degrees, between C and O; 73 with 120, beyond O.
+    text = text_of("four_bar", "crank", OA=26, AB=80, BC=64, OC=60, phi=phi)
+    assert f"Drop the perpendicular AH {said}" in text
+
+
 def test_the_angle_of_a_right_triangle_is_named_by_its_foot() -> None:
     # AH = 50 - 20 cos 80 - 30 cos 70 along OC, BH = 30 sin 70 - 20 sin 80 across it.
     data = {"OA": 20, "AM": 60, "BM": 45, "BC": 30, "OC": 50, "phi": 80, "psi": 70}

@@ -372,6 +372,27 @@ def test_its_solution_is_written_by_three_methods(made: Path) -> None:
     assert "turning.same_omega" in said
 
 
+def _texts(name: str, folder: Path) -> list[str]:
+    """The English solutions of some variants of a composed family, each on one line."""
+    assert main(["compose", "--structure", name, "--seed", "2026", "--out", str(folder)]) == 0
+    english = load_language("en")
+    variants = draw(load_family(folder), None, [("text", place) for place in range(6)])
+    found = [explain(v, v.motion(), 0, read_ask(v.form), english) for v in variants]
+    return [" ".join(plain_solution(text, english).split()) for text in found]
+
+
+def test_where_a_centre_of_a_wheel_accelerates_to_is_said_with_the_reason_alone(tmp_path: Path) -> None:
+    for text in _texts("RRP10-RRW20", tmp_path / "made"):
+        assert "Directions: a⃗_D along the path of D; " in text
+        assert re.search(r"so a⃗_D points to the (left|right):", text)
+
+
+def test_the_direction_of_a_velocity_by_components_is_found_once_in_letters(tmp_path: Path) -> None:
+    for text in _texts("RRR01-RRR03", tmp_path / "made"):
+        (law,) = re.findall(r"θ_C = (φ[^=]* arctan\(\|v_C η / v_C ξ\|\)) =", text)
+        assert text.count(law) == 1
+
+
 @pytest.mark.parametrize("name", ["RRP10-RRP03-RRR45", "RRR01-RRP12-RRR45"])
 def test_links_that_hang_on_a_sliding_block_are_reached(name: str, tmp_path: Path) -> None:
     """Its last rods are pinned to a rod that carries a block and to an arm of this block, link by link."""

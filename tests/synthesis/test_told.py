@@ -65,6 +65,27 @@ def _drafts(code: str) -> list[Draft]:
     return found
 
 
+@pytest.mark.parametrize("code", ["PRP01-RRR03-RRR25", "PRP01-RRR02-RRR35"])
+def test_two_rods_make_no_rigid_triangle_with_the_rod_on_the_same_pin(code: str) -> None:
+    """Two rods from a pin in two guides and from a rod on this pin: they would turn with it as one body."""
+    found = _drafts(code)
+    assert found
+    for draft in found:
+        for key, facts in draft.sentences:
+            if key == "two_rods":
+                ends = {facts["at_point"], facts["at_to_point"]}
+                assert not any(ends <= {*points} for points in draft.bodies.values())
+        text = statement_text(draft, "en")
+        assert ("The slider {{ B }}" in text) is ("the pin {{ B }}" not in text)
+
+
+@pytest.mark.parametrize("code", ["RPR01-RRP20", "RPP10-RRR03"])
+def test_a_block_at_the_end_of_a_link_has_its_letter_in_every_opening(code: str) -> None:
+    for draft in _drafts(code):
+        for language, block in (("en", "The block {{ A }}"), ("ru", "Камень {{ A }}")):
+            assert statement_text(draft, language).startswith(block), draft.opening
+
+
 def test_statements_are_worded_in_two_ways_one_all_through() -> None:
     told = [statement_text(draft, "en") for draft in _drafts("RRR01-RRP20")]
     ways = {("are fixed pins" in text, " is pinned to " in text) for text in told}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from variantgen.synthesis.draft import Attachment, Draft, LayoutError, Link
+from variantgen.synthesis.draft import Attachment, Draft, Facts, LayoutError, Link
 
 _BEYOND = (0.4, 0.5, 0.6)  # how far an extension goes on, in lengths of the link
 _SLOT = 34  # half a groove across a slider, cm
@@ -50,7 +50,7 @@ def _on_block(draft: Draft, link: Link, other: int) -> Attachment:
     """The pin of a block, or where that would make rigid triangles, the end of an arm that is fixed to the block."""
     if link.noun == "yoke" and (foot := draft.bodies[link.body][0]) not in draft.hints["hidden"]:
         return Attachment(link.start, "end", {"point": link.start, "noun": "yoke", "link": foot + link.start}, foot)
-    if other not in link.mates and not link.arm_only:
+    if not link.arm_only and not _is_pinned(draft, other, link.start):
         return Attachment(link.start, "slider", {"point": link.start, "block": link.noun})
     if link.extra:
         raise LayoutError("a second arm")
@@ -81,6 +81,12 @@ def _on_block(draft: Draft, link: Link, other: int) -> Attachment:
     return Attachment(point, "arm_across", facts | {"bar": start + end}, link.start)
 
 
+def _is_pinned(draft: Draft, number: int, point: str) -> bool:
+    """Whether a moving link is on a pin, by one of its ends or as a block; the frame (no link of the draft) is not."""
+    link = draft.links.get(number)
+    return link is not None and point in (link.start, link.end)
+
+
 def _as_slider(draft: Draft, point: str) -> None:
     """A pin in two guides becomes a slider and a sleeve (or a block in a slot) on one pin: both can carry arms, which
     turn against each other.
@@ -88,10 +94,17 @@ def _as_slider(draft: Draft, point: str) -> None:
     place, facts = next((i, f) for i, (k, f) in enumerate(draft.sentences) if f.get("slider") == point)
     riding = "block" if facts["noun"] == "groove" else "collar"
     draft.sentences[place] = (f"slider_and_{riding}", facts)
+    draft.sentences = [(key, _on_slider(said, point)) for key, said in draft.sentences]
     for link in draft.links.values():
         if link.start == point and link.noun == "pin":
             link.noun = riding if link.guide is None else "slider"
     draft.relative = [(k, f | ({"block": riding} if f["point"] == point else {})) for k, f in draft.relative]
+
+
+def _on_slider(facts: Facts, point: str) -> Facts:
+    """The facts of a sentence in which what was told to hang on a pin hangs on the slider that is on it."""
+    own = (at for at in ("at", "at_to") if facts.get(f"{at}_point") == point and facts.get(f"{at}_block") == "pin")
+    return facts | {f"{at}_block": "slider" for at in own}
 
 
 def line_on(draft: Draft, number: int) -> Link:

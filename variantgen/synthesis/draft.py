@@ -64,7 +64,7 @@ class Link(Struct):
 
     ``noun``: what it is called; ``free``: hinges at its ends that no dyad uses yet; ``extra``: it has its third joint.
     Of a block: ``guide``, the direction of its fixed guide (degrees); ``line``, the ends of the bar on which it slides;
-    ``mates``, the links on the same pin; ``arm_only``: nothing else is hinged to this pin.
+    ``arm_only``: nothing else is hinged to this pin.
     """
 
     start: str
@@ -76,7 +76,6 @@ class Link(Struct):
     guide: int | None = None
     line: tuple[str, str] = ("", "")
     arm_only: bool = False
-    mates: set[int] = field(default_factory=set)
 
 
 class Draft(Struct):
@@ -122,7 +121,7 @@ class Draft(Struct):
         made.bodies = {name: [*points] for name, points in self.bodies.items()}
         made.hints = {key: [*values] for key, values in self.hints.items()}
         made.joints = [(kind, {**fields}) for kind, fields in self.joints]
-        made.links = {n: replace(link, free=[*link.free], mates={*link.mates}) for n, link in self.links.items()}
+        made.links = {n: replace(link, free=[*link.free]) for n, link in self.links.items()}
         return made
 
     def style(self, of: str) -> int:

@@ -163,7 +163,7 @@ def _fixed_guide(draft: Draft, links: tuple[int, int], dyad: AssurGroup) -> None
         raise LayoutError("a dead point is near")
     draft.joint("guide", point=slider, **({"angle": guide} if guide else {}))
     draft.bar(links[0], _rod_at(at), at.point, slider)
-    draft.links[links[1]] = Link(slider, noun="slider", guide=guide, mates={links[0]})
+    draft.links[links[1]] = Link(slider, noun="slider", guide=guide)
     key = "rod_and_slider_through" if through else "rod_and_slider"
     facts = {"rod": at.point + slider, "slider": slider, "way": FIXED[guide], "through": through}
     draft.sentences.append((key, facts | facts_of(at)))
@@ -235,7 +235,7 @@ def _moving_guide(draft: Draft, links: tuple[int, int], dyad: AssurGroup) -> Non
         raise LayoutError("a dead point is near")
     slide(draft, block, bar, "slide")
     draft.bar(links[0], "rod", at.point, block)
-    draft.links[links[1]] = Link(block, noun="slide", mates={links[0]}, line=(bar.start, bar.end))
+    draft.links[links[1]] = Link(block, noun="slide", line=(bar.start, bar.end))
     facts = {"rod": at.point + block, "slider": block, "noun": bar.noun, "bar": bar.body} | facts_of(at)
     draft.sentences.append(("rod_and_block", facts))
     draft.asked.append([f"v_rel_{block}", f"omega_{at.point}{block}", f"v_{block}"])
@@ -256,7 +256,7 @@ def _rocker_with_block(draft: Draft, links: tuple[int, int], dyad: AssurGroup) -
     draft.position += _turned_round(said, name)
     slide(draft, block, bar, "slide")
     draft.bar(links[0], "link", pivot, block, name=name)
-    draft.links[links[1]] = Link(block, noun="slide", mates={links[0]}, line=(bar.start, bar.end))
+    draft.links[links[1]] = Link(block, noun="slide", line=(bar.start, bar.end))
     facts = {"rocker": name, "pivot": pivot, "slider": block, "noun": bar.noun, "bar": bar.body}
     draft.sentences.append(("rocker_with_block", facts))
     draft.asked.append([f"omega_{name}", f"v_rel_{block}", f"v_{block}"])

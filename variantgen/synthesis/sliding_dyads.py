@@ -40,9 +40,7 @@ def collar(draft: Draft, links: tuple[int, int], dyad: AssurGroup, uses: dict[in
         facts = {"rod": at.point + end} | facts_of(at) | facts_of(to, "_to")
     made = draft.bar(bar, "rod", at.point, end, (end,))
     slide(draft, collared, made, "collar")
-    draft.links[sleeve] = Link(
-        collared, noun="collar", arm_only=True, line=(made.start, made.end), mates={ends[sleeve]}
-    )
+    draft.links[sleeve] = Link(collared, noun="collar", arm_only=True, line=(made.start, made.end))
     draft.sentences.append((key, facts))
     draft.asked.append([f"omega_{at.point}{end}", f"v_rel_{collared}"])
 
@@ -97,7 +95,7 @@ def _slotted_arm(draft: Draft, arm: int, block: int, on: int) -> None:
     made = draft.bar(arm, "arm", pivot, end, (end,))
     draft.hint("slotted", made.body)
     slide(draft, at.point, made, "block")
-    draft.links[block] = Link(at.point, noun="block", arm_only=True, line=(made.start, made.end), mates={on})
+    draft.links[block] = Link(at.point, noun="block", arm_only=True, line=(made.start, made.end))
     draft.sentences.append(("slotted_arm", {"arm": made.body, "pivot": pivot} | facts_of(at)))
     draft.asked.append([f"omega_{made.body}", f"v_rel_{at.point}"])
 
@@ -113,8 +111,8 @@ def two_guides(draft: Draft, links: tuple[int, int], dyad: AssurGroup, _: dict[i
     draft.joint("guide", point=block, **({"angle": guide} if guide else {}))
     slide(draft, block, bar, "pin")
     fixed, riding = links if dyad.on == FRAME else links[::-1]
-    draft.links[fixed] = Link(block, noun="pin", guide=guide, mates={riding})
-    draft.links[riding] = Link(block, noun="pin", line=(bar.start, bar.end), mates={fixed})
+    draft.links[fixed] = Link(block, noun="pin", guide=guide)
+    draft.links[riding] = Link(block, noun="pin", line=(bar.start, bar.end))
     facts = {"slider": block, "noun": bar.noun, "bar": bar.body, "way": FIXED[guide]}
     draft.sentences.append(("pin_in_two_guides", facts))
     draft.asked.append([f"v_{block}", f"v_rel_{block}"])
@@ -159,7 +157,7 @@ def yoke(draft: Draft, links: tuple[int, int], dyad: AssurGroup, uses: dict[int,
     draft.bars += [(foot, end), (low, top)]
     draft.inside.append((at.point, low, top))
     draft.relative.append(("yoke", {"point": at.point, "block": "block"}))
-    draft.links[links[0]] = Link(at.point, noun="block", guide=guide, arm_only=True, mates={dyad.on})
+    draft.links[links[0]] = Link(at.point, noun="block", guide=guide, arm_only=True)
     draft.links[links[1]] = Link(end, noun="yoke", guide=guide, body=body)
     said = end if foot in draft.hints["hidden"] else foot + end
     facts = {"point": said, "way": FIXED[guide], "across": FIXED[90 - guide]}

@@ -50,7 +50,10 @@ def _mechanism(draft: Draft, words: Mapping[str, Any]) -> list[str]:
             if facts.get(f"at{index}") in words["arms"]:
                 found.append(words["arms"][facts[f"at{index}"]].format(**_forms(_place(facts, index), words)))
         at_end = not place and facts.get("at") == "end" and facts["at_link"] == CRANK
-        table = words["driven" if draft.opening == "driven" and at_end and key in words["driven"] else "sentences"]
+        has_letter = facts.get("at") in ("end", *words["arms"]) and key in words["at_end"]
+        table = words["at_end" if has_letter else "sentences"]
+        if draft.opening == "driven" and at_end and key in words["driven"]:
+            table = words["driven"]
         if draft.opening == "driven" and at_end and draft.called.get(CRANK) == "crank" and key in words["named"]:
             table = words["named"]
         found.append(_worded(draft, table[key]).format(**_filled(facts, words)))

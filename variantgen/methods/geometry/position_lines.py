@@ -96,7 +96,8 @@ class PositionLines(Layout):
     ) -> Pair | None:
         """The legs SH along a line and EH of the right triangle that a perpendicular from the end E makes, with lines.
 
-        Its foot may lie ``beyond`` the start S. None where a point has no letter in the figure, or no letter is left.
+        Its foot may lie ``beyond`` the start S, or beyond the other point of the line: then it is said that the line is
+        produced. None where a point has no letter in the figure, or no letter is left.
         """
         if {start, on_line, end} & set(self.task.form.figure.hidden):
             return None
@@ -106,8 +107,10 @@ class PositionLines(Layout):
             if not letter:
                 return None
             to = Segment(*self.ordered(start, on_line))
-            key_of = "perpendicular_beyond" if beyond else "perpendicular"
-            self.say(key_of, False, line=Segment(end, letter), to=to, start=Point(start))
+            past = start if beyond else on_line
+            is_off = beyond or along.number(True) > abs(self.vector(start, on_line))
+            key_of = "perpendicular_beyond" if is_off else "perpendicular"
+            self.say(key_of, False, line=Segment(end, letter), to=to, start=Point(past))
             down = self._entered(Name("length", end, letter), "length", across)
             self._feet[key] = self._entered(Name("length", start, letter), "length", along), down
         return self._feet[key]

@@ -58,7 +58,7 @@ def read_again(steps: Sequence[Step], results: Iterable[Value]) -> list[Step]:
 
 
 def _without_repeated_lines(steps: Sequence[Step]) -> list[Step]:
-    """The steps without lines that an earlier step has."""
+    """The steps without lines that an earlier step has, or that they have themselves in the same form."""
     seen: set[tuple[Name, float]] = set()
     kept: list[Step] = []
     for step in steps:
@@ -67,7 +67,7 @@ def _without_repeated_lines(steps: Sequence[Step]) -> list[Step]:
         for item in step.items:
             if isinstance(item, Derived) and item.value.name is not None:
                 mark = (item.value.name, item.value.exact)
-                if mark in seen:
+                if mark in seen or item in items:
                     continue
                 found.add(mark)
             items.append(item)

@@ -21,12 +21,13 @@ _SIDED = ("ways.guide", "ways.straight", "ways.track", "ways.path", "ways.groove
 def pointed(book: Book, term: Term) -> Term:
     """A term of a table with its line and, where the line alone leaves two, the side to which it points.
 
-    To the right, up, left or down on a straight path the side alone says all.
+    To the right, up, left or down on a straight path the side alone says all of a vector that is known; of an unknown
+    one a later sentence may say the side, so that the line is kept apart.
     """
     side = side_of(book, term)
     if side is None:
         return term
-    if term.way.key == "ways.straight" and isinstance(side, Word) and side.key in QUARTERS:
+    if term.size is not None and term.way.key == "ways.straight" and isinstance(side, Word) and side.key in QUARTERS:
         return Term(term.name, term.size, term.angle, Sentence("ways.side", {"side": side}))
     return Term(term.name, term.size, term.angle, Sentence("ways.pointed", {"way": term.way, "side": side}))
 

@@ -27,7 +27,7 @@ def whole(book: Book, point: str, known: Known) -> Term:
         return _forward(terms[0])
     size = modulus(book, name, terms)
     angle = _direction(name, terms[0], terms[1])
-    book.items.append(Derived(angle, symbolic=False))
+    book.items.append(Derived(angle))
     return book.term(name, size, angle, "components", vector=VectorOf(name))
 
 
