@@ -42,6 +42,42 @@ joints = [
 ]
 drivers = [{ rotation = { body = "OA", omega = 2 } }, { rotation = { body = "CD", omega = 1 } }]
 """
+# The pin of a level link in an upright guide: v_B = 2 * 30 up, nothing along the link.
+PIN_ON_A_LEVEL_LINK = """
+length_unit = "cm"
+ask = ["v_B", "v_rel_B", "a_B"]
+points.O.coordinates = { x = 0, y = 0 }
+points.A.coordinates = { x = 50, y = 0 }
+points.B.coordinates = { x = 30, y = 0 }
+bodies = { OA = ["O", "A"] }
+joints = [
+    { pivot = { point = "O" } }, { guide = { point = "B", angle = 90 } },
+    { slot = { point = "B", body = "OA", along = ["O", "A"] } },
+]
+drivers = [{ rotation = { body = "OA", omega = 2 } }]
+"""
+# CA and AD are at right angles: a perpendicular from C to AD would end at A.
+RIGHT_ANGLE_AT_THE_PIN = """
+length_unit = "cm"
+ask = ["v_rel_D", "omega_CE"]
+bodies = { OA = ["O", "D", "A"], AB = ["A", "C", "B"], CE = ["C", "E"] }
+joints = [
+    { pivot = { point = "O" } }, { guide = { point = "B" } },
+    { slot = { point = "D", body = "CE", along = ["C", "E"] } },
+]
+drivers = [{ rotation = { body = "OA", omega = 1.5 } }]
+[parameters]
+OA = { unit = "cm", values = [25] }
+AB = { unit = "cm", values = [65] }
+phi = { unit = "deg", values = [60] }
+[points]
+O = { coordinates = { x = 0, y = 0 } }
+A = { polar = { origin = "O", distance = "OA", angle = "180*deg + phi" } }
+B = { polar = { origin = "A", distance = "AB", towards = "O", angle = "-90*deg" } }
+C = { fraction = { start = "A", end = "B" } }
+D = { fraction = { start = "O", end = "A" } }
+E = { fraction = { start = "C", end = "D", part = "1.6" } }
+"""
 
 
 def explained(folder: Path, text: str, lang: str, capsys: pytest.CaptureFixture[str]) -> str:
@@ -69,3 +105,16 @@ def test_a_check_begins_with_the_quantity_that_it_finds_again(
     check = text.partition("Check.")[2].splitlines()
     assert "v_rel F = 72.11 · sin 56.31° + 100 · 3/5 = 120" in check[2]
     assert not [line for line in check if line.strip() == "120"]
+
+
+def test_a_vector_that_is_zero_points_nowhere(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = explained(tmp_path, PIN_ON_A_LEVEL_LINK, "en", capsys)
+    velocities = text.partition("2. Acceleration")[0].replace("\n", " ").replace("\N{NO-BREAK SPACE}", " ")
+    assert "along the line OA. Let ξ" in velocities
+    assert "v_rel B = 0 cm/s" in velocities
+
+
+def test_no_perpendicular_ends_at_a_pin(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = explained(tmp_path, RIGHT_ANGLE_AT_THE_PIN, "ru", capsys)
+    assert "Треугольник ACD прямоугольный" in text
+    assert "перпендикуляр CH" not in text
