@@ -69,7 +69,7 @@ class Case:
 def cases(options: Options) -> list[Case]:
     """What is built, small classes first."""
     if options.quick:
-        return [Case(next(iter(exams.EXAMS)), False, options.students)]
+        return [Case(next(iter(exams.EXAMS)), solutions, options.students) for solutions in (False, True)]
     found = []
     for solutions, largest in ((False, options.students), (True, min(options.students, options.solutions))):
         sizes = sorted({*(size for size in _SIZES if size < largest), largest})
