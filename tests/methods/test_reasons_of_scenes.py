@@ -78,6 +78,22 @@ C = { fraction = { start = "A", end = "B" } }
 D = { fraction = { start = "O", end = "A" } }
 E = { fraction = { start = "C", end = "D", part = "1.6" } }
 """
+# AB goes through the collar P: omega_AB = -4/3, v_B = (-60, -40); omega_BC = 4/3, v_C = -60 + 40 * 4/3.
+ROD_BEYOND_A_COLLAR = """
+length_unit = "cm"
+ask = ["v_C", "omega_BC"]
+bodies = { OA = ["O", "A"], AB = ["A", "B"], BC = ["B", "C"] }
+joints = [
+    { pivot = { point = "O" } }, { pivot = { point = "P" } }, { guide = { point = "C" } },
+    { slot = { point = "P", body = "AB", along = ["A", "B"] } },
+]
+drivers = [{ rotation = { body = "OA", omega = 2 } }]
+points.O.coordinates = { x = 0, y = 0 }
+points.A.coordinates = { x = 20, y = 30 }
+points.P.coordinates = { x = 50, y = 30 }
+points.B.coordinates = { x = 80, y = 30 }
+points.C.coordinates = { x = 110, y = -10 }
+"""
 
 
 def explained(folder: Path, text: str, lang: str, capsys: pytest.CaptureFixture[str]) -> str:
@@ -118,3 +134,14 @@ def test_no_perpendicular_ends_at_a_pin(tmp_path: Path, capsys: pytest.CaptureFi
     text = explained(tmp_path, RIGHT_ANGLE_AT_THE_PIN, "ru", capsys)
     assert "Треугольник ACD прямоугольный" in text
     assert "перпендикуляр CH" not in text
+
+
+@pytest.mark.parametrize(
+    ("lang", "reason"), [("en", "is the angle of v⃗_B with the x axis"), ("ru", "угол v⃗_B с осью x; первое слагаемое")]
+)
+def test_it_is_said_what_the_angle_of_a_velocity_is(
+    lang: str, reason: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = explained(tmp_path, ROD_BEYOND_A_COLLAR, lang, capsys)
+    assert reason in text.replace("\n", " ").replace("\N{NO-BREAK SPACE}", " ")
+    assert "6,667" in text.replace(".", ",")
