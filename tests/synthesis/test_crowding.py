@@ -33,6 +33,17 @@ def test_no_link_lies_across_the_guide_of_a_slider(far: complex, said: str) -> N
     assert crowded(draft) == said
 
 
+@pytest.mark.parametrize(("base", "said"), [("", ""), ("C", "the guide of B on the line OC")])
+def test_no_guide_lies_along_the_line_from_which_an_angle_is_told(base: str, said: str) -> None:
+    draft = _draft(A=40 - 60j, C=140j, B=9 + 70j, D=60 + 60j)  # B beside the middle of OC, its guide along it
+    draft.joint("guide", point="B", angle="90")
+    draft.base = base
+    for start, end in ("OA", "AD", "DB"):
+        draft.bodies[start + end] = [start, end]
+        draft.bars.append((start, end))
+    assert crowded(draft) == said
+
+
 def test_a_rod_ends_at_its_slider_and_does_not_go_on_through_the_guide() -> None:
     draft = _draft(A=40 + 30j, B=140 + 0j, C=190 - 15j)
     draft.joint("guide", point="B")

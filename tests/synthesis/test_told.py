@@ -148,3 +148,15 @@ def test_what_carries_two_rods_is_no_single_pin() -> None:
         assert "fixed to the sleeve" in english
         assert "с муфтой" in russian and "К муфте" in russian and "палец" not in russian.lower()
     assert all("sleeve" not in statement_text(draft, "en") for draft in _drafts("PRP01-RRR12"))
+
+
+def test_what_two_links_are_perpendicular_to_is_said_once() -> None:
+    """OA and CD at right angles to AB, EF to CD: AB stands for two of them, whichever link was laid out first."""
+    draft = _drafts("RRR01-RRR03")[0]
+    pairs = (("OA", "AB"), ("AB", "CD"), ("CD", "EF"))
+    draft.position[:] = [("square", {"one": one, "link": link}) for one, link in pairs]
+    english, russian = (statement_text(draft, language) for language in ("en", "ru"))
+    assert "{{ OA }} and {{ CD }} are perpendicular to {{ AB }}" in english
+    assert "{{ EF }} is perpendicular to {{ CD }}" in english
+    assert "{{ OA }} и {{ CD }} перпендикулярны {{ AB }}" in russian
+    assert "{{ EF }} и {{ CD }} взаимно перпендикулярны" in russian

@@ -24,10 +24,8 @@ _MARKED, _STILL_MARKED = 0.25, 0.2  # of the whole, between the corners of two m
 _ARC = 0.13  # of the whole: the radius of the arc of a marked angle, and of the arrows about the driving link
 # Of the whole: what the end of a rack and the rim of a wheel keep from foreign links on all draws.
 _STILL_CLEAR, _OFF_RIM = 0.04, 0.02
-_OFF_WHEEL, _PIVOT_OFF_RIM = (
-    1.4,
-    0.13,
-)  # radii of a wheel that others keep from its centre; more of the first axis: sizes
+# Radii of a wheel that others keep from its centre; more of the first axis: sizes.
+_OFF_WHEEL, _PIVOT_OFF_RIM = 1.4, 0.13
 _MARGIN = 0.2  # of its guide, at each end, that a block keeps clear
 _AXES = {"+x": 1 + 0j, "-x": -1 + 0j, "+y": 1j, "-y": -1j}
 _PARTS = [place / 16 for place in range(17)]  # of a bar that is looked at
@@ -188,8 +186,8 @@ def _blocks(seen: _Seen) -> str:
 
 
 def _on_guides(seen: _Seen) -> str:
-    """A link across the line of a fixed guide, or a point on it."""
-    size = seen.size
+    """A link across the line of a fixed guide, or a point on it; the guide on the line from which an angle is told."""
+    size, base = seen.size, ("O", seen.draft.base)
     for point, bar in _near_guides(seen):
         if _cross(_with_guide(seen, seen.z, point, size), ("start", "end"), bar):
             return f"{bar[0]}{bar[1]} across the guide of {point}"
@@ -198,6 +196,8 @@ def _on_guides(seen: _Seen) -> str:
         for name in seen.visible:
             if name not in own and _off(z, name, ("start", "end")) < _CLEAR * size:
                 return f"{name} on the guide of {point}"
+        if base[1] in set(z) - own and min(_off(z, name, base) for name in (point, "start", "end")) < _APART * size:
+            return f"the guide of {point} on the line O{base[1]}"
     return ""
 
 

@@ -109,13 +109,17 @@ def _position(draft: Draft, words: Mapping[str, Any]) -> str:
 
 
 def _squares(draft: Draft, words: Mapping[str, Any]) -> list[str]:
-    """What is perpendicular to what; what is so to the same link stands together."""
-    found: dict[str, list[str]] = {}
-    for key, facts in draft.position:
-        if key == "square":
-            found.setdefault(facts["one"], []).append(facts["link"])
-    forms = {links: words["position"][f"square_{'one' if len(found[links]) == 1 else 'many'}"] for links in found}
-    return [forms[one].format(names=_joined(links, words), one=one) for one, links in found.items()]
+    """What is perpendicular to what; links that are so to the same one stand together."""
+    pairs = [(facts["one"], facts["link"]) for key, facts in draft.position if key == "square"]
+    clauses = []
+    while pairs:
+        found = [link for pair in pairs for link in pair]
+        shared = max(found, key=found.count)
+        links = [one if link == shared else link for one, link in pairs if shared in (one, link)]
+        pairs = [pair for pair in pairs if shared not in pair]
+        form = words["position"][f"square_{'one' if len(links) == 1 else 'many'}"]
+        clauses.append(form.format(names=_joined(links, words), one=shared))
+    return clauses
 
 
 def _tells_axes(draft: Draft) -> bool:

@@ -212,6 +212,8 @@ def _foot(geometry: Angular, legs: Sequence[Leg], ends: tuple[str, str]) -> tupl
         legs, ends = [leg.reversed() for leg in reversed(legs)], ends[::-1]
     if len(legs) != 2 or not legs[1].form.parts:
         return None
+    if reduced(geometry, "cos", legs[1].form.minus(legs[0].form))[0] == 0:  # the foot would be their common end
+        return None
     axis = _axis_of(legs)
     ahead, along = positive(summed(projected(geometry, "cos", legs, axis)))
     _, across = positive(summed(projected(geometry, "sin", legs, axis)))

@@ -180,14 +180,16 @@ def _rates_in(expression: Expression) -> list[Name]:
 def _without_known_directions(steps: Sequence[Step]) -> list[Step]:
     """The steps with tables of those vectors only whose directions are new.
 
-    Of a vector of which a later sentence says to which side it points, and why, the line is enough, and of a rotation
-    about a pole it is said once how its vectors lie.
+    Of a vector of which a later sentence says to which side it points, and why, the line is enough, as it is of one
+    that turns out zero, and of a rotation about a pole it is said once how its vectors lie.
     """
     known: set[Name] = set()
     usual: set[tuple[str, str]] = set()
     kept: list[Step] = []
     for step in steps:
         reasons = {name for item in step.items if isinstance(item, Projection) for name in _sought(item)}
+        found = [item.value for item in step.items if isinstance(item, Derived)]
+        reasons |= {value.name for value in found if value.name is not None and value.exact == 0}
         items: list[Item] = []
         for item in step.items:
             if isinstance(item, Sentence) and item.key.startswith(_SAYING):

@@ -161,6 +161,8 @@ def _add_transport(book: Book, group: SlidingPair, sides: _Sides) -> None:
         sides.right += [*known, sides.turn]
     else:
         name = Name(book.letter, point, part="tr") if fixed else Name(book.letter, point, pole)
+        if book.order == 1 and not fixed and not book.omega[carrier].sense:
+            book.say("rates.no_normal", omega=Name("omega", carrier), vector=name)
         sides.right += rotation(book, point, pole, carrier, name)
 
 

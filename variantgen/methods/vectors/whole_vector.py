@@ -6,7 +6,7 @@ from variantgen.algebra.expression import Applied, Constant, Expression, Magnitu
 from variantgen.algebra.name import Name
 from variantgen.methods.geometry.geometry import Geometry, normal_angle
 from variantgen.methods.solution.book import Book, Known
-from variantgen.methods.steps.step import Derived, Term, VectorOf
+from variantgen.methods.steps.step import Derived, Fact, Term, VectorOf
 from variantgen.methods.vectors.points import components, modulus, positive
 
 _SQUARE = 1e-7  # degrees from a right angle within which two components are across each other
@@ -27,6 +27,9 @@ def whole(book: Book, point: str, known: Known) -> Term:
         return _forward(terms[0])
     size = modulus(book, name, terms)
     angle = _direction(name, terms[0], terms[1])
+    if book.order == 1 and angle.name is not None:
+        facts: dict[str, Fact] = {"vector": VectorOf(name), "component": VectorOf(terms[0].name)}
+        book.say("points.heading", False, angle=angle.name, **facts)
     book.items.append(Derived(angle))
     return book.term(name, size, angle, "components", vector=VectorOf(name))
 

@@ -117,7 +117,8 @@ class Writer:
             case Projection():
                 return self._projection(item)
             case Balance(left, right):
-                return both_sides(self._side(left, by_symbol=True), self._side(right))
+                first, second = (right, left) if _is_quantity(right) and not _is_quantity(left) else (left, right)
+                return both_sides(self._side(first, by_symbol=True), self._side(second))
             case Ascending(values):
                 return ascending([self._side(value) for value in values])
             case LinearSystem():
@@ -268,7 +269,7 @@ class Writer:
     def _side(self, value: Value, by_symbol: bool = False) -> FormulaLine:
         """A sum in numbers with its result; ``by_symbol`` a single quantity by its symbol: its number is known."""
         assert value.expression is not None
-        if by_symbol and isinstance(value.expression, Value) and value.expression.name is not None:
+        if by_symbol and isinstance(value.expression, Value) and _is_quantity(value):
             return FormulaLine((("", self.formulas.symbol(value.expression)),))
         written, result = self.formulas.numeric(value.expression), self.formulas.printed(value)
         if written == result:
@@ -285,6 +286,11 @@ class Writer:
             magnitude = None if term.size is None else self.formulas.measured(term.size)
             rows.append(VectorTableRow(self.vector(term.name), self.text(term.way), magnitude))
         return VectorTable((words["vector"], words["direction"], words["magnitude"]), words["unknown"], tuple(rows))
+
+
+def _is_quantity(side: Value) -> bool:
+    """Whether a side of a check is one quantity that the solution has found."""
+    return isinstance(side.expression, Value) and side.expression.name is not None
 
 
 def _is_plain(expression: Expression) -> bool:
