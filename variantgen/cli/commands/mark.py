@@ -15,7 +15,7 @@ from variantgen.errors import InputError
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
 
-    from variantgen.exam.marking_policy import MarkingPolicy
+    from variantgen.exam.sections.marking_policy import MarkingPolicy
     from variantgen.finished.restore import Finished
     from variantgen.marking.answer_tables import NotMatched, ReadAnswers
     from variantgen.marking.changes import Change, Earlier
@@ -63,7 +63,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Mark the class."""
     from variantgen.exam.manifest import read_manifest
-    from variantgen.exam.marking_policy import read_policy_file
+    from variantgen.exam.sections.marking_policy import read_policy_file
     from variantgen.families.reading.folders import family_folders
     from variantgen.finished.restore import restore_unchanged
     from variantgen.marking import changes, gradebooks

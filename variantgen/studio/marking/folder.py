@@ -27,7 +27,7 @@ from collections.abc import Collection, Mapping
 from pathlib import Path
 
 from variantgen.errors import InputError, Problem
-from variantgen.exam.marking_policy import MarkingPolicy
+from variantgen.exam.sections.marking_policy import MarkingPolicy
 from variantgen.marking.typed_number import read_number
 from variantgen.outputs.files.records import safe_cell
 from variantgen.studio.builds import FinishedBuild
