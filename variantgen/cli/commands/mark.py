@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from variantgen.cli.messages import counted, say, tell
-from variantgen.cli.options import add_families
+from variantgen.cli.options import add_built_folder, add_families
 from variantgen.errors import InputError
 
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ _BOOK = "marks.xlsx"
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
-    parser.add_argument("folder", metavar="OUT_DIR", type=Path, help="folder that  variantgen build  has made")
+    add_built_folder(parser)
     parser.add_argument(
         "answers", metavar="ANSWERS", type=Path, nargs="+", help="tables with the answers, scans, photos"
     )
