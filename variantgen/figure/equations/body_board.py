@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from itertools import accumulate, repeat
+from operator import mul
 
 import numpy as np
 from msgspec import Struct
@@ -12,7 +14,7 @@ from numpy.typing import NDArray
 
 from variantgen.families.family import Form
 from variantgen.figure.drawing import BOLD, THIN, Layer, Line
-from variantgen.figure.equations.surroundings import Surroundings, largest, size_of
+from variantgen.figure.equations.surroundings import Surroundings, corners_about, largest, size_of
 from variantgen.figure.ink import segments_of, spaced
 from variantgen.figure.making import Making, Unlettered
 from variantgen.figure.motion.contact_letters import draw_dot
@@ -119,19 +121,36 @@ class BodyBoard:
                 [z[name] for name in self.named], size * self.room.real, size * _BODIES_HIGH * self.room.imag
             )
         steps = math.ceil(math.log(_LEAST_RODS if self._rods else _LEAST_BODY, _SMALLER))
-        scales = np.multiply.accumulate([most, *[_SMALLER] * steps])
+        scales = list(accumulate(repeat(_SMALLER, steps), mul, initial=most))
+        low, high = corners_about(bodies)
+        number = 0
         while True:
-            places, ways = np.array([*((place, 0j) for place in bodies), *spread(longest)], dtype=complex).T
-            width, height = (
-                np.ptp(np.multiply.outer(scales, at) + way, axis=1)
-                for at, way in ((places.real, ways.real), (places.imag, ways.imag))
-            )
-            roomy = (width <= self.room.real) & (height <= self.room.imag)
-            scale = float(scales[roomy.argmax()] if roomy.any() else scales[-1])
+            number = self._roomiest(scales, [(low, 0j), (high, 0j), *spread(longest)], number)
+            scale = scales[number]
             shortest = min(longest, max(_SHORTEST, scale * max(whole.real, whole.imag)))
             if not whole or longest <= shortest:
                 return scale, longest
             longest = max(_SMALLER * longest, shortest)
+
+    def _roomiest(self, scales: Sequence[float], spots: Sequence[tuple[complex, complex]], first: int) -> int:
+        """Which scale is the largest with room for places (m) and what lies so far from them (u); ``first`` is tried.
+
+        Scales with room follow each other, because the extent of it all is a convex function of the scale.
+        """
+
+        def is_roomy(number: int) -> bool:
+            scale = scales[number]
+            x = [scale * place.real + way.real for place, way in spots]
+            if max(x) - min(x) > self.room.real:
+                return False
+            y = [scale * place.imag + way.imag for place, way in spots]
+            return max(y) - min(y) <= self.room.imag
+
+        if not is_roomy(first):
+            return next(filter(is_roomy, range(len(scales))), len(scales) - 1)
+        while first and is_roomy(first - 1):
+            first -= 1
+        return first
 
     def drawn(self, scale: float) -> MotionBoard:
         """The board at a scale with the bodies on it."""
@@ -141,8 +160,8 @@ class BodyBoard:
         board.sketch = Sketch(whole.at, whole.scale, busy=whole.busy, symbol_radius=whole.symbol_radius)
         for piece in kept.pieces(whole.lines):
             board.sketch.add(piece)
-        for request, named in zip(whole.requests, kept.named([r.own for r in whole.requests]), strict=True):
-            if named:
+        for request in whole.requests:
+            if kept.names(request.own):
                 board.sketch.label(request)
         board.shown = tuple(name for name in board.shown if name in self.points)
         for rod in self._rods:

@@ -11,7 +11,7 @@ from msgspec.structs import replace
 
 from variantgen.figure.drawing import THIN, Arc, Layer
 from variantgen.figure.equations.body_board import FigureSubject
-from variantgen.figure.equations.surroundings import distances_to_segments
+from variantgen.figure.equations.surroundings import squares_to_segments
 from variantgen.figure.motion.motion_board import MotionBoard
 from variantgen.figure.placement.label_requests import along_arc, around
 from variantgen.methods.steps.step_geometry import Corner, MarkedFoot
@@ -169,8 +169,8 @@ def _draw_sides(
         way = side / abs(side)
         if sketch.is_taken(key, side, math.radians(2)):
             places = np.asarray(sketch.at[key] + radius * _ON_SIDE * way, dtype=np.complex128)
-            gaps = distances_to_segments(places, drawn[:, :1], drawn[:, 1:])
-            seen = bool(np.all(gaps.min(axis=0) < _ON_LINE))
+            gaps = squares_to_segments(places, drawn[:, :1], drawn[:, 1:])
+            seen = bool(np.all(gaps.min(axis=0) < _ON_LINE**2))
         else:
             seen = False
         if not seen:
