@@ -9,7 +9,7 @@ off and gets a thin leader.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from itertools import accumulate
+from itertools import accumulate, pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -56,7 +56,7 @@ def place_labels(figures: Sequence[WantedLabels]) -> list[PlacedLabels]:
     """
     papers = _Papers(figures)
     choices = papers.near_choices()
-    first = [conflicting(own) for own in choices]
+    first = papers.conflicting(choices)
     conflicts = [resolve_overlaps(own, of) for own, of in zip(choices, first, strict=True)]
     misread = papers.add_misread(choices, [number for number, of in enumerate(first) if of])
     crowded = [_crowded(own) | of for own, of in zip(choices, conflicts, strict=True)]
@@ -113,7 +113,13 @@ class _Papers:
             LabelChoice(request, own[:size], cost[:size], taken, complex(own[taken]))
             for request, own, cost, size, taken in zip(self._requests, places, costs, count, best, strict=True)
         ]
-        return [choices[start:end] for start, end in zip(self._first, self._first[1:], strict=False)]
+        return [choices[start:end] for start, end in pairwise(self._first)]
+
+    def conflicting(self, choices: Sequence[Sequence[LabelChoice]]) -> list[list[int]]:
+        """The labels of each figure that cover another one or read together with it."""
+        places = np.array([choice.place for own in choices for choice in own])
+        found = conflicting(places, np.array([r.box for r in self._requests]), self._figure)
+        return [[i - first for i in found if first <= i < after] for first, after in pairwise(self._first)]
 
     def misread(self, choices: Sequence[Sequence[LabelChoice]], figures: Sequence[int]) -> list[tuple[int, int]]:
         """The labels of some figures that would be read with another arrow where they stand: figure, number there."""
