@@ -127,8 +127,8 @@ def gaps_to_box(
 ) -> NDArray[np.float64]:
     """Distance of each segment from a box (zero where they cross), shape (S,).
 
-    Of several boxes at once with places and half sides of the shape (P, 1): shape (P, S); the segments may be others
-    for each box, shape (P, S, 2).
+    Of several boxes at once, places and half sides have shapes that go with that of the segments but for its last axis:
+    places of shape (P,) with segments of shape (S, P, 2) give gaps of shape (S, P).
     """
     hx, hy = half_sides
     start, end = segments[..., 0] - place, segments[..., 1] - place

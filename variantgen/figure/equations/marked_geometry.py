@@ -169,8 +169,8 @@ def _draw_sides(
         way = side / abs(side)
         if sketch.is_taken(key, side, math.radians(2)):
             places = np.asarray(sketch.at[key] + radius * _ON_SIDE * way, dtype=np.complex128)
-            gaps = squares_to_segments(places, drawn[:, :1], drawn[:, 1:])
-            seen = bool(np.all(gaps.min(axis=0) < _ON_LINE**2))
+            gaps = squares_to_segments(places[:, None], drawn[:, 0], drawn[:, 1])
+            seen = bool(np.all(gaps.min(axis=1) < _ON_LINE**2))
         else:
             seen = False
         if not seen:

@@ -209,7 +209,10 @@ def _squares(places: Places, points: Sequence[complex]) -> NDArray[np.float64]:
 
 
 def squares_to_segments(places: Places, starts: Places, ends: Places) -> NDArray[np.float64]:
-    """The squares of the distances from places of shape (N,) to segments between ends of shape (S, 1), shape (S, N)."""
+    """The squares of the distances from places to segments between ends, whose shapes go together.
+
+    Places of shape (N,) and ends of shape (S, 1) give (S, N).
+    """
     ways = ends - starts
     squares = ways.real**2 + ways.imag**2
     x, y = places.real - starts.real, places.imag - starts.imag

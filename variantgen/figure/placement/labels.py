@@ -27,7 +27,7 @@ from variantgen.figure.placement.occupancy import Occupancy
 _INK_CELL, _LEADER, _CUT, _CUT_BY_VECTOR = 2.0, 30.0, 4.0, 10.0
 _FAR = 35.0  # cost from which on the letter of a vector is so far off or so misleading that a leader may be better
 _FIRST = 10  # candidates of each label that are asked first what they could be mistaken for
-_ON_LEADER = np.linspace(0.0, 1.0, 24)  # places along a leader that are looked at
+_ON_LEADER = np.linspace(0.0, 1.0, 24)[:, None]  # places along a leader that are looked at
 
 
 class WantedLabels(NamedTuple):
@@ -161,10 +161,10 @@ class _Papers:
         clear = np.array([request.clear + 0.8 for request in requests]).repeat(count)[free]
         steps = places[free] - ends[free]
         start = ends[free] + clear * steps / np.abs(steps)
-        samples = start[:, None] + _ON_LEADER * (places[free] - start)[:, None]
-        cut = self._occupancy.taken(samples, 0.05, 0.05, figure[free, None]) > 0
+        samples = start + _ON_LEADER * (places[free] - start)
+        cut = self._occupancy.taken(samples, 0.05, 0.05, figure[free]) > 0
         each = np.array([_CUT_BY_VECTOR if request.vector else _CUT for request in requests]).repeat(count)[free]
-        costs[free] += each * (cut[:, 0] + np.add.reduce(cut[:, 1:] & ~cut[:, :-1], axis=1))
+        costs[free] += each * (cut[0] + np.add.reduce(cut[1:] & ~cut[:-1], axis=0))
         for choice, size, end in zip(own, count, accumulate(count), strict=True):
             part = slice(end - size, end)
             choice.places = np.concatenate((choice.places, places[part]))
