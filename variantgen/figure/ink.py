@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Iterable
 from functools import cache
@@ -24,8 +25,11 @@ def corners_of(line: Path | Arc, sagitta: float = _SAGITTA) -> list[complex]:
         return [*line.points, line.points[0]] if line.closed else list(line.points)
     step = 2 * math.acos(max(0.0, 1 - sagitta / max(line.radius, sagitta)))
     count = max(2, math.ceil(abs(line.sweep) / step))
-    found: list[complex] = (line.centre + line.radius * _directions(line.start, line.sweep, count)).tolist()
-    return found
+    centre, radius = line.centre, line.radius
+    if line.start == 0 and line.sweep == math.tau:
+        return [centre + radius * way for way in _around(count)]
+    part = line.sweep / count
+    return [centre + cmath.rect(radius, line.start + number * part) for number in range(count + 1)]
 
 
 def segments_of(lines: Iterable[Line], sagitta: float = _SAGITTA) -> tuple[Segments, list[int]]:
@@ -54,19 +58,10 @@ def spaced(starts: Segments, steps: Segments, counts: NDArray[np.intp]) -> Segme
     return result
 
 
-def _directions(start: float, sweep: float, count: int) -> NDArray[np.complex128]:
-    """Unit vectors along an arc, at the ends of its parts."""
-    if start == 0 and sweep == math.tau:
-        return _around(count)
-    result: NDArray[np.complex128] = np.exp(1j * (start + sweep / count * np.arange(count + 1)))
-    return result
-
-
 @cache
-def _around(count: int) -> NDArray[np.complex128]:
+def _around(count: int) -> tuple[complex, ...]:
     """Unit vectors around a circle."""
-    result: NDArray[np.complex128] = np.exp(1j * (math.tau / count * np.arange(count + 1)))
-    return result
+    return tuple([cmath.rect(1.0, math.tau / count * number) for number in range(count + 1)])
 
 
 def boxes_crossed(

@@ -37,6 +37,7 @@ _SHORTEST = 24.0  # the longest vector becomes no shorter, u
 _LEAST_BODY, _LEAST_RODS = 0.05, 0.5  # of the largest scale: how small bodies, and links between points, become
 _LANE = 2.3  # between arrows that would lie on each other, u
 _HEAD = 1.5  # end of an arrow that no hinge may hide, u
+_TIPS = np.array([[0.5], [0.75], [1.0]])  # parts of an arrow that keep apart from others
 _LANES = (0.0, 1.0, -1.0, 2.0, -2.0, 3.0)
 _AXIS = 11.0  # length of an axis, u
 _FREE = 5.0  # distance of axes from all lines that is enough, u
@@ -245,14 +246,14 @@ def _lane(place: complex, vector: complex, others: Sequence[complex], hinges: Se
     if not others and not hinges:
         return 0j
     side = 1j * vector / abs(vector)
-    known, supports = np.array(others, dtype=complex), np.array(hinges, dtype=complex)
+    known, end = np.array(others, dtype=complex), place + vector
     best = (-1.0, 0j)
     for lane in _LANES:
         shift = lane * _LANE * side
-        tips = place + shift + vector * np.array([0.5, 0.75, 1.0])
-        free = float(np.min(np.abs(known[:, None] - tips), initial=math.inf))
-        head = tips[-1] - _HEAD * vector / abs(vector) * np.array([0.0, 1.0])
-        free = min(free, float(np.min(np.abs(supports[:, None] - head), initial=math.inf)))
+        tips = place + shift + _TIPS * vector
+        free = float(np.minimum.reduce(np.abs(known - tips), axis=None, initial=math.inf))
+        head = (end + shift, end + shift - _HEAD * vector / abs(vector))
+        free = min([free, *(abs(hinge - at) for hinge in hinges for at in head)])
         if free > 0.8 * _LANE:
             return shift
         best = max(best, (free, shift), key=lambda item: item[0])
