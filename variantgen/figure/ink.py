@@ -108,12 +108,22 @@ def crosses(
     middle: NDArray[np.complex128], half: NDArray[np.complex128], half_sides: tuple[Sides, Sides]
 ) -> NDArray[np.bool_]:
     """Which segments (middle from the centre of the box, half their vector) cross a box; shapes broadcast."""
+    return _crossing(middle.real, middle.imag, half.real, half.imag, half_sides)
+
+
+def _crossing(
+    x: NDArray[np.float64],
+    y: NDArray[np.float64],
+    way_x: NDArray[np.float64],
+    way_y: NDArray[np.float64],
+    half_sides: tuple[Sides, Sides],
+) -> NDArray[np.bool_]:
+    """The same with plain numbers."""
     hx, hy = half_sides
-    dx, dy = np.abs(half.real), np.abs(half.imag)
-    crossing = (np.abs(middle.real) <= hx + dx) & (np.abs(middle.imag) <= hy + dy)
-    result: NDArray[np.bool_] = crossing & (
-        np.abs(half.real * middle.imag - half.imag * middle.real) <= hx * dy + hy * dx
-    )
+    dx, dy = np.abs(way_x), np.abs(way_y)
+    result: NDArray[np.bool_] = np.abs(x) <= hx + dx
+    result &= np.abs(y) <= hy + dy
+    result &= np.abs(way_x * y - way_y * x) <= hx * dy + hy * dx
     return result
 
 
@@ -126,18 +136,29 @@ def gaps_to_box(
     places of shape (P,) with segments of shape (S, P, 2) give gaps of shape (S, P).
     """
     hx, hy = half_sides
-    start, end = segments[..., 0] - place, segments[..., 1] - place
-    step_x, step_y = end.real - start.real, end.imag - start.imag
+    start, end = segments[..., 0], segments[..., 1]
+    start_x, start_y, end_x, end_y = start.real - place.real, start.imag - place.imag, end.real - place.real, end.imag - place.imag
+    step_x, step_y = end_x - start_x, end_y - start_y
     # Ends of the segments to the box, corners of the box to the segments: the nearest pair is one of these.
-    ends = np.array((start, end))
-    aside, above = np.maximum(np.abs(ends.real) - hx, 0), np.maximum(np.abs(ends.imag) - hy, 0)
-    outside = np.minimum.reduce(aside * aside + above * above, axis=0)
+    found = np.minimum(_square_to_box(start_x, start_y, hx, hy), _square_to_box(end_x, end_y, hx, hy))
     square = step_x * step_x + step_y * step_y
-    signs = _CORNERS.reshape(2, 4, *[1] * start.ndim)
-    x, y = start.real - signs[0] * hx, start.imag - signs[1] * hy
+    signs = _CORNERS.reshape(2, 4, *[1] * square.ndim)
+    x, y = start_x - signs[0] * hx, start_y - signs[1] * hy
     part = -(x * step_x + y * step_y) / np.where(square > 0, square, 1.0)
     np.minimum(np.maximum(part, 0, out=part), 1, out=part)
     x += part * step_x
     y += part * step_y
-    gaps = np.sqrt(np.minimum(outside, np.minimum.reduce(x * x + y * y, axis=0)))
-    return np.where(crosses(0.5 * (start + end), 0.5 * (end - start), half_sides), 0.0, gaps)
+    x *= x
+    x += y * y
+    gaps = np.sqrt(np.minimum(found, np.minimum.reduce(x, axis=0)))
+    middle_x, middle_y = 0.5 * (start_x + end_x), 0.5 * (start_y + end_y)
+    gaps[_crossing(middle_x, middle_y, 0.5 * step_x, 0.5 * step_y, half_sides)] = 0.0
+    return gaps
+
+
+def _square_to_box(x: NDArray[np.float64], y: NDArray[np.float64], hx: Sides, hy: Sides) -> NDArray[np.float64]:
+    """The square of the distance of places (from the centre of a box) from the box."""
+    aside, above = np.maximum(np.abs(x) - hx, 0), np.maximum(np.abs(y) - hy, 0)
+    aside *= aside
+    aside += above * above
+    return aside

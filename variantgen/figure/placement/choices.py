@@ -9,7 +9,7 @@ from msgspec import Struct, field
 from numpy.typing import NDArray
 
 from variantgen.figure.drawing import THIN, Layer, Path
-from variantgen.figure.ink import boxes_crossed, crosses
+from variantgen.figure.ink import crosses
 from variantgen.figure.placement.label_requests import Costs, LabelRequest, Places
 
 GAP = 0.8  # free space around a label, u
@@ -152,8 +152,10 @@ class _Standing:
             costs += CLOSE * np.add.reduce(near, axis=0) + _LABEL * np.add.reduce(space < TIGHT, axis=0)
         leaders = [leader.points for leader in self._leaders if leader]
         if leaders:
-            box = (half_width + TIGHT, half_height + TIGHT)
-            costs += _LABEL * boxes_crossed(places, box, np.array(leaders))
+            starts, ends = np.array(leaders).T[..., None]
+            ways = 0.5 * (ends - starts)
+            crossed = crosses(starts + ways - places, ways, (half_width + TIGHT, half_height + TIGHT))
+            costs += _LABEL * np.add.reduce(crossed, axis=0)
         return costs
 
     def _crossed_by_leaders(self, places: Places, ends: Places) -> Costs:

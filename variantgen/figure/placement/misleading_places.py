@@ -49,11 +49,11 @@ class MisleadingPlaces:
         # Those of arrows and lines first; shape (points, figures), since numpy is quick along the last axis.
         self._extended = max(map(len, extended))
         self._points = np.concatenate((_columns(extended), _columns(points)))
-        count = np.array([len(r.own) for r in requests])
-        own = np.array([p for r in requests for p in r.own])
+        # Shape (places of a label, labels).
+        own = _columns([r.own for r in requests])
         # A stranger at the very place that a label names is no stranger.
-        same = np.abs(self._points[:, figure.repeat(count)] - own) < 1e-6
-        self._own = np.logical_or.reduceat(same, count.cumsum() - count, axis=1)
+        of_label = self._points[:, figure]
+        self._own = np.logical_or.reduce([np.abs(of_label - places) < 1e-6 for places in own])
         self._clear = np.array([r.clear + _OWN for r in requests])
         self._half_width, self._half_height = np.array([r.box for r in requests]).T
         self._is_extended = np.array([bool(r.extent) for r in requests])
