@@ -56,7 +56,7 @@ class Task(Struct, frozen=True, dict=True):
         """The scene of the variant (numbers in SI)."""
         return self.now.scene
 
-    @property
+    @cached_property
     def order(self) -> int:
         """1 if velocities are enough, 2 if accelerations are asked."""
         return motion_order(self.asked)
