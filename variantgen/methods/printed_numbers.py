@@ -22,7 +22,7 @@ from variantgen.algebra.values import in_order
 from variantgen.families.quantities import Quantity, split_name
 from variantgen.methods.linkage.problem import Task
 from variantgen.methods.solved_motion import SolvedMotion
-from variantgen.methods.steps.printed_digits import items_values
+from variantgen.methods.steps.printed_digits import shown_values
 from variantgen.methods.steps.step import (
     Ascending,
     Balance,
@@ -62,7 +62,7 @@ class PrintedNumbers(Struct, dict=True):
         unknown: dict[Name, Term] = {}
         projections = []
         for item in step.items:
-            for value in in_order(items_values([item]), self._checked):
+            for value in in_order(shown_values(item), self._checked):
                 self._checked.add(value)
                 yield value.name, self._value(value)
             yield from self._equation(item)

@@ -195,9 +195,13 @@ class SolvedMotion(Struct, frozen=True):
         return [unit(self.task.unit_of(measure)).from_si(self.task.si[law]) for law in names]
 
     def answer(self, quantity: Quantity) -> float:
-        """An asked quantity in its printed unit, angles in degrees."""
-        own = quantity.own_unit(self.task.variant.family.length_unit)
-        return float(own.from_si(float(quantity.value(self._motion)[0])))
+        """An asked quantity in its printed unit, angles in degrees; the task remembers it."""
+        key, known = ("answer", quantity), self.task.remembered
+        if key not in known:
+            own = quantity.own_unit(self.task.variant.family.length_unit)
+            known[key] = float(own.from_si(float(quantity.value(self._motion)[0])))
+        found: float = known[key]
+        return found
 
     @property
     def _motion(self) -> Motion:
