@@ -101,7 +101,7 @@ class PrintedNumbers(Struct, dict=True):
             return 0.0 if nothing else _turn(value.exact - right)
         if not math.isfinite(right) or not math.isfinite(value.exact):
             return 0.0 if value.exact == right else math.inf
-        scale = self._measure_scale(value.measure) or 1.0
+        scale = self.task.scales.get(value.measure, 1.0) or 1.0
         far = (1.0 + abs(right) / scale) ** 2 if quantity.is_centre or quantity.group in ("path", "ratio") else 1.0
         return abs(value.exact - right) / scale / far
 
@@ -136,10 +136,10 @@ class PrintedNumbers(Struct, dict=True):
         if (rate := self.solved.rate(name)) is not None:
             # The magnitude is never negative, so that a negative number has a sign.
             gap = exact - rate if name.part == "z" or name.dots or exact < 0 else exact - abs(rate)
-            return _relative(gap, self._measure_scale(value.measure))
+            return _relative(gap, self.task.scales.get(value.measure, 1.0))
         if (coordinate := self.solved.coordinate(name)) is not None:
             gap = abs(exact) - abs(coordinate) if _is_opposite(value) else exact - coordinate
-            return _relative(gap, max(self._measure_scale(value.measure), abs(coordinate)))
+            return _relative(gap, max(self.task.scales.get(value.measure, 1.0), abs(coordinate)))
         return self._measured(exact, name)
 
     def _size_of_vector(self, exact: float, name: Name) -> float:
@@ -224,14 +224,6 @@ class PrintedNumbers(Struct, dict=True):
 
     def _scale(self, order: int) -> float:
         return self.task.largest_speed if order == 1 else self.task.largest_acceleration
-
-    def _measure_scale(self, measure: str) -> float:
-        """The natural scale of a measure."""
-        task = self.task
-        scales = {"length": task.size, "velocity": task.largest_speed, "acceleration": task.largest_acceleration}
-        scales["angular velocity"] = task.largest_speed / task.size
-        scales["angular acceleration"] = task.largest_acceleration / task.size
-        return scales.get(measure, 1.0)
 
 
 def _terms(item: Item) -> Sequence[Term]:

@@ -31,8 +31,15 @@ class SolvedMotion(Struct, frozen=True):
         """The velocity or acceleration of that name: of a point, about a pole, relative, of transport, a component.
 
         There may be several where a point and its pole share no body: the point may move with any body of the pole.
-        So has a pin in the slots of two bodies a relative motion on each.
+        So has a pin in the slots of two bodies a relative motion on each. The task remembers them.
         """
+        key, known = ("vectors", name), self.task.remembered
+        if key not in known:
+            known[key] = self._vectors(name)
+        found: list[complex] = known[key]
+        return found
+
+    def _vectors(self, name: Name) -> list[complex]:
         now, point = self.task.now, name.of
         table = now.v if name.kind == "v" else now.a if name.kind == "a" else {}
         if point not in table or (name.about and name.about not in table):

@@ -137,6 +137,13 @@ class Task(Struct, frozen=True, dict=True):
         return found or self.size * max((abs(rate) for rate in self.now.epsilon.values()), default=0.0)
 
     @cached_property
+    def scales(self) -> Mapping[str, float]:
+        """The natural scale of each measure in printed units, below which numbers are rounding; none of angles."""
+        speed, acceleration, size = self.largest_speed, self.largest_acceleration, self.size
+        scales = {"length": size, "velocity": speed, "acceleration": acceleration}
+        return scales | {"angular velocity": speed / size, "angular acceleration": acceleration / size}
+
+    @cached_property
     def si(self) -> Mapping[str, float]:
         """Parameters and derived quantities in SI."""
         values = self.form.values({name: self.variant.si(name) for name in self.form.parameters})
