@@ -7,7 +7,7 @@ from collections.abc import Collection, Sequence
 import numpy as np
 from msgspec import Struct
 
-from variantgen.algebra.expression import Constant, Expression, Ratio, Times, Total, Value
+from variantgen.algebra.expression import Constant, Expression, Ratio, Times, Total, Value, Variable
 from variantgen.algebra.normal_form import Maybe, added, product
 from variantgen.algebra.values import parts
 
@@ -57,6 +57,20 @@ def linear(item: Maybe, unknowns: Collection[Value]) -> tuple[dict[Value, Expres
             found, rest = linear(above, unknowns)
             return {v: Ratio(c, below) for v, c in found.items()}, None if rest is None else Ratio(rest, below)
     raise TypeError(f"not linear: {item!r}")
+
+
+def is_linear(item: Expression) -> bool:
+    """Whether an expression is a sum of names and numbers with plain numbers as factors."""
+    match item:
+        case Variable() | Constant():
+            return True
+        case Total(terms):
+            return all(is_linear(term) for _, term in terms)
+        case Times(factors):
+            return all(map(is_linear, factors)) and sum(not isinstance(factor, Constant) for factor in factors) <= 1
+        case Ratio(above, Constant()):
+            return is_linear(above)
+    return False
 
 
 def _sum_of_forms(

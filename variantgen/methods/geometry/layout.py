@@ -35,6 +35,7 @@ class Layout:
         self.angles = Angles(task)
         self.nothing = _NOTHING * task.size
         self.places: dict[str, LocatedPoint] = {}
+        self._ranks: dict[str, int] = {}
         self._lines = Lines(task.now.z, self.nothing, self.number)
         self._stated: dict[frozenset[str], Expression] = {}
         self._bases: dict[str, AngleForm] = {}
@@ -47,6 +48,7 @@ class Layout:
         """Note what the constructions, the conditions and the figure give."""
         for name, place in places.items():
             self.places[name] = place
+            self._ranks[name] = len(self._ranks)
             for ray in place.rays():
                 self._lines.add(ray.start, ray.end, self._based(ray))
             self._read_marks(name)
@@ -137,7 +139,7 @@ class Layout:
 
     def total(self, form: AngleForm) -> float:
         """The degrees of a sum of angles, whole turns kept."""
-        return form.constant + sum(c * self._degrees(atom) for atom, c in form.parts)
+        return form.constant + sum([c * self._degrees(atom) for atom, c in form.parts])
 
     def _degrees(self, atom: Atom) -> float:
         if isinstance(atom, Value):
@@ -202,5 +204,4 @@ class Layout:
 
     def ordered(self, start: str, end: str) -> tuple[str, str]:
         """Two points in the order in which they are placed."""
-        names = list(self.places)
-        return (start, end) if names.index(start) <= names.index(end) else (end, start)
+        return (start, end) if self._ranks[start] <= self._ranks[end] else (end, start)

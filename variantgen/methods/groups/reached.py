@@ -25,7 +25,7 @@ class KnownMotion:
         self.task = book.task
         self.scene = book.task.scene
         self.at_last = False  # whether points are known too that a neighbour of a neighbour leads to
-        self.open_bodies = self._open_bodies()
+        self.open_bodies: list[str] = []  # needed bodies whose rate is not known
 
     @cached_property
     def contacts(self) -> dict[int, NoSlipContact]:

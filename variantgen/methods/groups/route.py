@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator
+from collections.abc import Iterator
 
 from variantgen.mechanism.drivers.circling import Circling
 from variantgen.mechanism.drivers.extension import Extension
@@ -57,7 +57,6 @@ class Route(KnownMotion):
     def __init__(self, book: Book) -> None:
         super().__init__(book)
         self.taken: list[Group] = []
-        self._vain: dict[Hashable, set[str]] = self.task.form.remembered.setdefault(("vain", self.task.sought), {})
 
     def next(self) -> Group | None:
         """The next group that adds something that is needed, or None when nothing does."""
@@ -77,7 +76,7 @@ class Route(KnownMotion):
         """
         book = self.book
         known = frozenset(book.velocity), frozenset(book.omega), frozenset(book.relative)
-        vain = self._vain.setdefault((self.at_last, self.translating, *known), set())
+        vain: set[str] = self.task.by_names.setdefault(("vain", self.at_last, self.translating, *known), set())
         for name in _SEARCHES:
             if name in vain:
                 continue

@@ -107,6 +107,12 @@ class Task(Struct, frozen=True, dict=True):
         return needed_for(self.form, tuple(quantity for quantity in self.sought if quantity.order == 2))
 
     @cached_property
+    def by_names(self) -> dict[Hashable, Any]:
+        """What steps have worked out from names and what is asked alone, by keys of their own; the form keeps it."""
+        found: dict[Hashable, Any] = self.form.remembered.setdefault(("by names", self.sought), {})
+        return found
+
+    @cached_property
     def translating(self) -> frozenset[str]:
         """Bodies that do not turn: a joint keeps them from it, or they are led by two equal parallel cranks."""
         linkage = self.linkage
@@ -121,7 +127,7 @@ class Task(Struct, frozen=True, dict=True):
     def size(self) -> float:
         """Size of the mechanism, in the printed unit of length; of a single point its way to the origin, or 1."""
         places = list(self.now.z.values())
-        return max((abs(p - q) for p, q in combinations(places, 2)), default=0.0) or abs(places[0]) or 1.0
+        return max([abs(p - q) for p, q in combinations(places, 2)], default=0.0) or abs(places[0]) or 1.0
 
     @cached_property
     def largest_speed(self) -> float:
