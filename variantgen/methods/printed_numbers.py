@@ -122,7 +122,7 @@ class PrintedNumbers(Struct, dict=True):
         if name.kind in ("v", "a"):
             return self._size_of_vector(exact, name)
         if name.kind == "heading":
-            headed = name._replace(kind=name.body, body="")  # the vector of which it is the direction
+            headed = replace(name, kind=name.body, body="")  # the vector of which it is the direction
             return min((_turn(exact - _degrees(v)) for v in self.solved.vectors(headed) if v), default=0.0)
         if name.kind == "parameter":  # signs of laws of time are left to the figure, as those of rates
             found = self.solved.derived(name, value.measure)

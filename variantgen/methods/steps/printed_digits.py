@@ -6,7 +6,6 @@ from collections.abc import Collection, Iterable, Sequence
 
 from variantgen.algebra.decimals import PRINTED_DIGITS
 from variantgen.algebra.expression import Value
-from variantgen.algebra.name import Name
 from variantgen.algebra.values import in_order, made_of, parts
 from variantgen.methods.steps.step import (
     Ascending,
@@ -113,6 +112,6 @@ def facts_values(sentence: Sentence) -> list[Value]:
             found.append(fact.value)
         elif type(fact) is Sentence:
             waiting += fact.facts.values()
-        elif type(fact) is tuple and not isinstance(fact, Name):
+        elif type(fact) is tuple:
             waiting += fact
     return found
