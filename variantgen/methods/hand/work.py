@@ -57,26 +57,26 @@ def work_of(answers: Iterable[Value]) -> Work:
     while waiting:
         part = waiting.pop()
         match part:
-            case Value(exact=exact, expression=expression):
+            case Value():
                 if part in met:
                     continue
                 met.add(part)
-                negatives += exact < 0
-                obtuse += part.measure == "angle" and abs(exact) > _RIGHT_ANGLE
-                if expression is not None:
+                negatives += part.exact < 0
+                obtuse += part.measure == "angle" and abs(part.exact) > _RIGHT_ANGLE
+                if part.expression is not None:
                     lines += 1
                     coriolis += part.name is not None and part.name.part == "cor"
-                    waiting.append(expression)
+                    waiting.append(part.expression)
                 continue
-            case Constant():
-                continue
+            case Times():
+                operations += len(part.factors) - 1
             case Applied():
                 functions += 1
                 negatives += part.number(True) < 0
-            case Times(factors):
-                operations += len(factors) - 1
-            case Total(terms):
-                operations += max(len(terms) - 1, 0)
+            case Total():
+                operations += max(len(part.terms) - 1, 0)
+            case Constant():
+                continue
             case Ratio() | Raised():
                 operations += 1
             case SquareRoot():

@@ -297,10 +297,5 @@ def discs_of(form: Form, body: str | None, centre: str) -> list[DiscMark]:
 
 def task_of(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity]) -> Task:
     """The task of one variant of a solved batch."""
-    raw = instant(motion, index)
-    metre = float(unit(variant.family.length_unit).factor)
-
-    def scaled(table: Mapping[str, complex]) -> dict[str, complex]:
-        return {name: vector / metre for name, vector in table.items()}
-
-    return Task(variant, tuple(asked), replace(raw, z=scaled(raw.z), v=scaled(raw.v), a=scaled(raw.a)))
+    length_unit = float(unit(variant.family.length_unit).factor)
+    return Task(variant, tuple(asked), instant(motion, index, length_unit))

@@ -239,8 +239,7 @@ def positive(size: Value) -> Value:
 
 def sum_up(book: Book, point: str) -> None:
     """The magnitude of a vector that is known by components across each other, where it is asked."""
-    asked = any(q.kind == book.letter and q.point == point for q in book.task.sought)
-    if asked and len(book.vectors[point]) > 1:
+    if len(book.vectors[point]) > 1 and any(q.kind == book.letter and q.point == point for q in book.task.sought):
         magnitude(book, point)
 
 
