@@ -9,7 +9,7 @@ from msgspec import Struct
 
 from variantgen.algebra.expression import Constant, Expression, Ratio, Times, Total, Value, Variable
 from variantgen.algebra.normal_form import Maybe, added, product
-from variantgen.algebra.values import parts
+from variantgen.algebra.values import parts, walk
 
 _ONE = Constant(1.0)
 
@@ -59,18 +59,24 @@ def linear(item: Maybe, unknowns: Collection[Value]) -> tuple[dict[Value, Expres
     raise TypeError(f"not linear: {item!r}")
 
 
-def is_linear(item: Expression) -> bool:
-    """Whether an expression is a sum of names and numbers with plain numbers as factors."""
+def is_linear(item: Expression, names: Collection[str]) -> bool:
+    """Whether an expression is a sum of these names with numbers as factors; other names stand for numbers."""
     match item:
-        case Variable() | Constant():
+        case Variable():
             return True
         case Total(terms):
-            return all(is_linear(term) for _, term in terms)
+            return all(is_linear(term, names) for _, term in terms)
         case Times(factors):
-            return all(map(is_linear, factors)) and sum(not isinstance(factor, Constant) for factor in factors) <= 1
-        case Ratio(above, Constant()):
-            return is_linear(above)
-    return False
+            moving = [factor for factor in factors if not _is_free(factor, names)]
+            return not moving or (len(moving) == 1 and is_linear(moving[0], names))
+        case Ratio(above, below):
+            return is_linear(above, names) and _is_free(below, names)
+    return _is_free(item, names)
+
+
+def _is_free(item: Expression, names: Collection[str]) -> bool:
+    """Whether none of the names stands in an expression."""
+    return not any(isinstance(part, Variable) and part.name in names for part in walk(item))
 
 
 def _sum_of_forms(

@@ -139,7 +139,7 @@ class Angles:
             start = dict(values) | dict.fromkeys(angles, 0.0)
             base = float(expression.value(start))
             slopes = {name: tidy(float(expression.value(start | {name: 1.0})) - base) for name in angles}
-            known = base, slopes, is_linear(expression.tree)
+            known = base, slopes, is_linear(expression.tree, angles)
             if all(form.parameters[name].unit is None for name in others):
                 form.remembered[key] = known
         found: tuple[float, dict[str, float], bool] = known

@@ -7,7 +7,6 @@ from functools import cached_property
 from variantgen.mechanism.joints.rolling import Rolling
 from variantgen.mechanism.joints.rolling_on_circle import RollingOnCircle
 from variantgen.mechanism.linkage import Linkage
-from variantgen.mechanism.rows import ScalarRow
 from variantgen.methods.groups.carriers import is_within_reach
 from variantgen.methods.groups.contact import NoSlipContact
 from variantgen.methods.groups.contacts_of_scene import contacts_of_scene
@@ -73,15 +72,12 @@ class KnownMotion:
 
     def _found_path(self, point: str, but: str) -> PointPath | None:
         for joint in self.scene.joints:
-            for number, shape in enumerate(joint.shapes()):
+            for shape in joint.shapes():
                 if shape.points != (point,) or shape.bodies or shape.given_point is not None:
                     continue
                 if joint.landmarks():
                     return PointPath(point, centre=joint.landmarks()[0])
-                row = joint.rows(self.task.at)[number]
-                assert isinstance(row, ScalarRow)
-                normal = complex(row.points[point])
-                return PointPath(point, line=-1j * normal / abs(normal))
+                return PointPath(point, line=self.guided(point))
             if isinstance(joint, Rolling) and joint.on is None and joint.centre == point and joint.body != but:
                 arm = self.task.now.z[point] - self.task.now.z[joint.contact]
                 return PointPath(point, line=1j * arm / abs(arm))
