@@ -32,14 +32,14 @@ def read_screens(table: Table, expression: ExpressionReader, points: Collection[
     """The screens; numbers that are not given keep their defaults."""
     screens = Screens()
     numbers: dict[str, float] = {}
-    table.expect("transmission", "spacing", "aspect", "trivial", "sensitivity", "ceiling", "mistakes")
-    for key in ("transmission", "spacing", "aspect", "trivial", "sensitivity"):
+    table.expect("transmission", "spacing", "aspect", "slant", "trivial", "sensitivity", "ceiling", "mistakes")
+    for key in ("transmission", "spacing", "aspect", "slant", "trivial", "sensitivity"):
         if key in table.data:
             value = float(table.number(key, 0))
             if not 0 < value < 1000:
                 table.problem("expected a number above 0", key, value)
                 continue
-            numbers[key] = math.radians(value) if key == "transmission" else value
+            numbers[key] = math.radians(value) if key in ("transmission", "slant") else value
     # Both can only be made tighter: no family may let through what the program would not.
     for key, low, high in (("ceiling", 0.001, screens.ceiling), ("mistakes", screens.mistakes, 0.2)):
         if key in table.data:
