@@ -209,7 +209,7 @@ def test_a_remote_centre_is_not_looked_for_unless_it_is_wished(phi: float, remot
 
 @pytest.mark.parametrize(("phi", "beside"), [(2, True), (5, False)])
 def test_a_centre_beside_a_hinge_is_not_looked_for(phi: float, beside: bool) -> None:
-    """P is on OA, above or below B: BP is ``OB tan(phi)``, with OA = 10 and AB = 30 some 1.4 at 2 degrees and 3.5 at 5."""
+    """P is on OA, above or below B: BP is ``OB tan(phi)``, with OA = 10 and AB = 30 1.4 at 2 degrees and 3.5 at 5."""
     psi = asin(sin(radians(phi)) / 3)
     length = (10 * cos(radians(phi)) + 30 * cos(psi)) * tan(radians(phi))
     assert (length < 0.07 * 30) == beside

@@ -104,8 +104,8 @@ def read_figure(
     discs = [disc for item in table.tables("discs") if (disc := _disc(item, points, bodies, quantity))]
     hidden, bare, stems = (_names(table, key, points) for key in ("hidden", "bare", "stems"))
     plates, plain, slotted = (_names(table, key, set(bodies), "body") for key in ("plates", "plain", "slotted"))
-    lines, thin, grooves, walls, found = (
-        _paths(table, key, points) for key in ("lines", "thin", "grooves", "walls", "found")
+    lines, thin, axial, grooves, walls, found = (
+        _paths(table, key, points) for key in ("lines", "thin", "axial", "grooves", "walls", "found")
     )
     sketch, graph = table.strings("sketch"), table.strings("graph")
     for i, names in enumerate(found, start=1):
@@ -130,6 +130,7 @@ def read_figure(
         found,
         sketch,
         graph,
+        axial=axial,
     )
 
 

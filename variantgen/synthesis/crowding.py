@@ -6,24 +6,22 @@ import cmath
 import math
 from collections.abc import Iterator, Mapping
 from itertools import combinations
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from variantgen.families.family import TOOTHED_RACK
 from variantgen.synthesis.draft import Draft, Wheel
+from variantgen.synthesis.seen import Bar, Seen, cross, off
+from variantgen.synthesis.slide_room import rooms
 
-Bar: TypeAlias = tuple[str, str]
-_SMALLEST = 80.0  # cm: while the first links are laid out, the mechanism counts as large as this
 _APART, _CLEAR = 0.09, 0.06  # of hinges; of a hinge from a foreign link: sizes
 _BASE, _BOTH_FIXED = 1.5, 2.0  # as many times as much: of a fixed hinge, of two
 _FOLDED, _STRAIGHT = 18, 10  # degrees between two links at a common hinge, and from one straight line
 _GUIDE = 0.13  # of the whole: half the line of a fixed guide
 _MARKED, _STILL_MARKED = 0.25, 0.2  # of the whole, between the corners of two marked angles; on all draws
 _ARC = 0.13  # of the whole: the radius of the arc of a marked angle, and of the arrows about the driving link
-# Of the whole: what the end of a rack and the rim of a wheel keep from foreign links on all draws.
-_STILL_CLEAR, _OFF_RIM = 0.04, 0.02
+_OFF_RIM = 0.02  # of the whole: what the rim of a wheel keeps from foreign links on all draws
 # Radii of a wheel that others keep from its centre; more of the first axis: sizes.
 _OFF_WHEEL, _PIVOT_OFF_RIM = 1.4, 0.13
 _MARGIN = 0.2  # of its guide, at each end, that a block keeps clear
@@ -33,72 +31,45 @@ _RATIO = 4.0  # longest over shortest length
 _LONGEST, _LARGEST = 3.2, 300.0  # longer over shorter side of the whole; cm
 
 
-class _Seen:
-    """A draft with what its screens ask for again and again."""
-
-    def __init__(self, draft: Draft) -> None:
-        self.draft, self.z = draft, draft.z
-        self.members = {bar: _members(draft, bar) for bar in draft.bars}
-        self.slid = {
-            (point, bar)
-            for point, start, end in draft.inside
-            for bar, members in self.members.items()
-            if start in members and end in members
-        }
-        hidden = draft.hints.get("hidden", ())
-        self.visible = [name for name in draft.z if name not in hidden]
-        places = [draft.z[name] for name in self.visible]
-        places += [draft.z[wheel.centre] + wheel.radius * way for wheel in draft.wheels for way in (1 + 1j, -1 - 1j)]
-        x, y = [place.real for place in places], [place.imag for place in places]
-        self.sides = max(x) - min(x), max(y) - min(y)
-        self.size = max(_SMALLEST, *self.sides)
-
-
-def _members(draft: Draft, bar: Bar) -> list[str]:
-    """The points of a link by two of them."""
-    one, other = bar
-    return next((points for points in draft.bodies.values() if one in points and other in points), list(bar))
-
-
 def crowded(draft: Draft) -> str:
     """What is too near to what, or crosses it; nothing where the figure is clear."""
-    seen = _Seen(draft)
-    screens = (_near, _on_bars, _on_racks, _on_wheels, _bars, _blocks, _on_guides, _marks, _lengths)
+    seen = Seen(draft)
+    screens = (_near, _on_bars, _at_slides, _on_wheels, _bars, _blocks, _on_guides, _marks, _lengths)
     return next(filter(None, (screen(seen) for screen in screens)), "")
 
 
 def too_long(draft: Draft) -> str:
     """Whether the whole is too long for its width, or too large."""
-    wide, high = _Seen(draft).sides
+    wide, high = Seen(draft).sides
     if max(wide, high) > _LONGEST * min(wide, high):
         return "too long"
     return "too large" if max(wide, high) > _LARGEST else ""
 
 
 def crossed(draft: Draft, z: Mapping[str, NDArray[np.complex128]]) -> NDArray[np.bool_]:
-    """On which of N variants of a draft two links cross that nothing joins, or one a guide or a wheel, or one is at the
-    end of a rack; ``z`` has its points, in cm, shape (N,) each.
+    """On which of N variants of a draft two links cross that nothing joins, or one a guide or a wheel, or something
+    slides where there is no room to show it; ``z`` has its points, in cm, shape (N,) each.
     """
-    seen = _Seen(draft)
+    seen = Seen(draft)
     found = np.zeros(next(iter(z.values())).shape, dtype=bool)
     places = np.array([z[name] for name in seen.visible])
     size = np.maximum(np.ptp(places.real, axis=0), np.ptp(places.imag, axis=0))
     for one, other in _corners(seen):
         found |= np.abs(z[one] - z[other]) < _STILL_MARKED * size
     for point, bar in _near_guides(seen):
-        found |= _cross(_with_guide(seen, z, point, size), ("start", "end"), bar)
-    for end, bar in _near_racks(seen):
-        found |= _off(z, end, bar) < _STILL_CLEAR * size
+        found |= cross(_with_guide(seen, z, point, size), ("start", "end"), bar)
+    for room in rooms(seen):
+        found |= room.measured(z, size) < room.still
     for wheel in draft.wheels:
         for bar in _off_wheel(seen, wheel):
-            found |= _off(z, wheel.centre, bar) < wheel.largest + _OFF_RIM * size
+            found |= off(z, wheel.centre, bar) < wheel.largest + _OFF_RIM * size
     for first, second in combinations(draft.bars, 2):
         if not _joined(seen, first, second):
-            found |= _cross(z, first, second)
+            found |= cross(z, first, second)
     return found
 
 
-def _near(seen: _Seen) -> str:
+def _near(seen: Seen) -> str:
     for one, other in combinations(seen.visible, 2):
         pivots = (one in seen.draft.pivots) + (other in seen.draft.pivots)
         need = _APART * (1.0, _BASE, _BOTH_FIXED)[pivots]
@@ -107,42 +78,31 @@ def _near(seen: _Seen) -> str:
     return ""
 
 
-def _on_bars(seen: _Seen) -> str:
+def _on_bars(seen: Seen) -> str:
     """A point on a link that it neither belongs to nor slides on."""
     for bar, members in seen.members.items():
         for name in seen.visible:
             if name in members or (name, bar) in seen.slid:
                 continue
             need = _ARC if name == "O" else _CLEAR * (_BASE if name in seen.draft.pivots else 1.0)
-            if _off(seen.z, name, bar) < need * seen.size:
+            if off(seen.z, name, bar) < need * seen.size:
                 return f"{name} on {bar[0]}{bar[1]}"
     return ""
 
 
-def _on_racks(seen: _Seen) -> str:
-    """A link at the end of a rack, which no point marks."""
-    for end, bar in _near_racks(seen):
-        if _off(seen.z, end, bar) < _CLEAR * seen.size:
-            return f"{bar[0]}{bar[1]} at the end of a rack"
-    return ""
+def _at_slides(seen: Seen) -> str:
+    """A link or a point in the way of what shows that something slides."""
+    return next((room.told for room in rooms(seen) if room.measured(seen.z, seen.size) < room.first), "")
 
 
-def _near_racks(seen: _Seen) -> Iterator[tuple[str, Bar]]:
-    """The ends of racks beyond their wheels, and the bars that are not hinged to the slider of the rack."""
-    for body, noun in seen.draft.nouns.items():
-        if noun == TOOTHED_RACK:
-            slider, end = seen.draft.bodies[body]
-            yield from ((end, bar) for bar in seen.draft.bars if slider not in bar)
-
-
-def _on_wheels(seen: _Seen) -> str:
+def _on_wheels(seen: Seen) -> str:
     """A link or a point in the way of a wheel."""
     for wheel in seen.draft.wheels:
         need = _OFF_WHEEL * wheel.radius
         if wheel.centre != "O" and seen.draft.distance(wheel.centre, "O") < wheel.radius + _PIVOT_OFF_RIM * seen.size:
             return "the driving link at the wheel"
         for bar in _off_wheel(seen, wheel):
-            if _off(seen.z, wheel.centre, bar) < need:
+            if off(seen.z, wheel.centre, bar) < need:
                 return f"{bar[0]}{bar[1]} on the wheel"
         for name in seen.visible:
             if name not in (wheel.centre, *wheel.touching) and seen.draft.distance(wheel.centre, name) < need:
@@ -150,25 +110,25 @@ def _on_wheels(seen: _Seen) -> str:
     return ""
 
 
-def _off_wheel(seen: _Seen, wheel: Wheel) -> list[Bar]:
+def _off_wheel(seen: Seen, wheel: Wheel) -> list[Bar]:
     """The bars that must not lie across a wheel: those that neither end at its centre nor touch it."""
     return [bar for bar in seen.draft.bars if not {wheel.centre, *wheel.touching} & set(bar)]
 
 
-def _bars(seen: _Seen) -> str:
+def _bars(seen: Seen) -> str:
     """Two links that cross, or that lie on each other."""
     for one, other in combinations(seen.draft.bars, 2):
         if seen.members[one] == seen.members[other]:
             continue
         if not _joined(seen, one, other):
-            if _cross(seen.z, one, other):
+            if cross(seen.z, one, other):
                 return "links cross"
         elif _folded(seen, one, other):
             return "links lie on each other"
     return ""
 
 
-def _blocks(seen: _Seen) -> str:
+def _blocks(seen: Seen) -> str:
     """A block at the end of its guide, or a link of it that lies along the guide."""
     for point, start, end in seen.draft.inside:
         guide = seen.z[end] - seen.z[start]
@@ -185,30 +145,30 @@ def _blocks(seen: _Seen) -> str:
     return ""
 
 
-def _on_guides(seen: _Seen) -> str:
+def _on_guides(seen: Seen) -> str:
     """A link across the line of a fixed guide, or a point on it; the guide on the line from which an angle is told."""
     size, base = seen.size, ("O", seen.draft.base)
     for point, bar in _near_guides(seen):
-        if _cross(_with_guide(seen, seen.z, point, size), ("start", "end"), bar):
+        if cross(_with_guide(seen, seen.z, point, size), ("start", "end"), bar):
             return f"{bar[0]}{bar[1]} across the guide of {point}"
     for point, _ in _guides(seen):
         z, own = _with_guide(seen, seen.z, point, size), _riding(seen, point)
         for name in seen.visible:
-            if name not in own and _off(z, name, ("start", "end")) < _CLEAR * size:
+            if name not in own and off(z, name, ("start", "end")) < _CLEAR * size:
                 return f"{name} on the guide of {point}"
-        if base[1] in set(z) - own and min(_off(z, name, base) for name in (point, "start", "end")) < _APART * size:
+        if base[1] in set(z) - own and min(off(z, name, base) for name in (point, "start", "end")) < _APART * size:
             return f"the guide of {point} on the line O{base[1]}"
     return ""
 
 
-def _guides(seen: _Seen) -> list[tuple[str, float]]:
+def _guides(seen: Seen) -> list[tuple[str, float]]:
     """The sliders in fixed guides and the directions of these (degrees); the bearing of a yoke is on its own bar."""
     stems = seen.draft.hints.get("stems", ())
     guides = [fields for kind, fields in seen.draft.joints if kind == "guide" and fields["point"] not in stems]
     return [(fields["point"], float(fields.get("angle", 0))) for fields in guides]
 
 
-def _near_guides(seen: _Seen) -> Iterator[tuple[str, Bar]]:
+def _near_guides(seen: Seen) -> Iterator[tuple[str, Bar]]:
     """Sliders in fixed guides, and the bars that must not lie across these: none ends there or slides on the pin."""
     slid, grooves = seen.slid, [set(ends) for ends in seen.draft.hints.get("grooves", ())]
     for point, _ in _guides(seen):
@@ -218,18 +178,18 @@ def _near_guides(seen: _Seen) -> Iterator[tuple[str, Bar]]:
                 yield point, bar
 
 
-def _riding(seen: _Seen, point: str) -> set[str]:
+def _riding(seen: Seen, point: str) -> set[str]:
     """A point and those of its bodies."""
     return {point}.union(*(members for members in seen.draft.bodies.values() if point in members))
 
 
-def _with_guide(seen: _Seen, z: Mapping[str, Any], point: str, size: Any) -> Mapping[str, Any]:
+def _with_guide(seen: Seen, z: Mapping[str, Any], point: str, size: Any) -> Mapping[str, Any]:
     """Places with the ``start`` and the ``end`` of the line of a guide; ``size`` is that of the whole, as ``z``."""
     half = _GUIDE * size * cmath.rect(1.0, math.radians(dict(_guides(seen))[point]))
     return {**z, "start": z[point] - half, "end": z[point] + half}
 
 
-def _marks(seen: _Seen) -> str:
+def _marks(seen: Seen) -> str:
     """Two marked angles at hinges that have no room for both arcs, or a link across an arc."""
     for one, other in _corners(seen):
         if seen.draft.distance(one, other) < _MARKED * seen.size:
@@ -241,14 +201,14 @@ def _marks(seen: _Seen) -> str:
     return ""
 
 
-def _corners(seen: _Seen) -> Iterator[tuple[str, str]]:
+def _corners(seen: Seen) -> Iterator[tuple[str, str]]:
     """Pairs of corners of marked angles."""
     return combinations(sorted({mark["at"] for mark in seen.draft.marks}), 2)
 
 
-def _in_sector(seen: _Seen, mark: Mapping[str, str], bar: Bar, radius: float) -> bool:
+def _in_sector(seen: Seen, mark: Mapping[str, str], bar: Bar, radius: float) -> bool:
     """Whether a bar comes nearer than the arc of a marked angle, within that angle."""
-    if _off(seen.z, mark["at"], bar) >= radius:
+    if off(seen.z, mark["at"], bar) >= radius:
         return False
     corner = seen.z[mark["at"]]
     rays = [_AXES.get(mark[end]) or seen.z[mark[end]] - corner for end in ("from", "to")]
@@ -260,37 +220,19 @@ def _in_sector(seen: _Seen, mark: Mapping[str, str], bar: Bar, radius: float) ->
     return False
 
 
-def _lengths(seen: _Seen) -> str:
+def _lengths(seen: Seen) -> str:
     sizes = [datum.value for datum in seen.draft.data.values() if datum.unit == "cm"]
     return "lengths differ too much" if max(sizes) > _RATIO * min(sizes) else ""
 
 
-def _joined(seen: _Seen, one: Bar, other: Bar) -> bool:
+def _joined(seen: Seen, one: Bar, other: Bar) -> bool:
     """Whether two links have a common point or one slides on the other."""
     first, second, slid = seen.members[one], seen.members[other], seen.slid
     sliding = any((point, one) in slid for point in second) or any((point, other) in slid for point in first)
     return sliding or bool(set(first) & set(second))
 
 
-def _off(z: Mapping[str, Any], name: str, bar: Bar) -> Any:
-    """How far a point is from a segment; numbers or arrays."""
-    start, step = z[bar[0]], z[bar[1]] - z[bar[0]]
-    part = ((z[name] - start) / step).real
-    part = min(max(part, 0.0), 1.0) if isinstance(part, float) else np.clip(part, 0.0, 1.0)
-    return abs(z[name] - start - part * step)
-
-
-def _cross(z: Mapping[str, Any], one: Bar, other: Bar) -> Any:
-    """Whether two segments cross; numbers or arrays."""
-    a, b, c, d = (z[name] for name in (*one, *other))
-
-    def side(p: Any, q: Any, r: Any) -> Any:
-        return ((q - p).conjugate() * (r - p)).imag
-
-    return (side(a, b, c) * side(a, b, d) < 0) & (side(c, d, a) * side(c, d, b) < 0)
-
-
-def _folded(seen: _Seen, one: Bar, other: Bar) -> bool:
+def _folded(seen: Seen, one: Bar, other: Bar) -> bool:
     """Whether two links with a common hinge lie nearly on each other, or one goes on where the other ends."""
     for hinge in set(seen.members[one]) & set(seen.members[other]):
         ways = [[seen.z[end] - seen.z[hinge] for end in bar if end != hinge] for bar in (one, other)]

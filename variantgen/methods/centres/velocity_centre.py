@@ -47,8 +47,8 @@ def solve_dyad(book: Book, group: Dyad) -> None:
     """Find the velocity of the point on its path and the angular velocity of the body.
 
     Unless the centre is wished, the velocities are projected on AB where it would serve the velocity of B alone, which
-    is one line, and a vector equation takes its place where it is remote (no thin triangle, no long way off the page) or
-    so near to a hinge that no figure could show both.
+    is one line, and a vector equation takes its place where it is remote (no thin triangle, no long way off the page)
+    or so near to a hinge that no figure could show both.
     """
     body, pole, point = group.body, group.pole, group.point_path.point
     vector(book, pole)

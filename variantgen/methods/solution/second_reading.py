@@ -182,14 +182,15 @@ def _without_known_directions(steps: Sequence[Step]) -> list[Step]:
     """The steps with tables of those vectors only whose directions are new.
 
     Of a vector of which a later sentence says to which side it points, and why, the line is enough, as it is of one
-    that turns out zero, and of one that stays unknown: nothing would say why it points there. Where a system of equations
-    is to say it, the side is assumed. Of a rotation about a pole it is said once how its vectors lie.
+    that turns out zero, and of one that stays unknown: nothing would say why it points there. Where a system of
+    equations is to say it, the side is assumed. Of a rotation about a pole it is said once how its vectors lie.
     """
     known: set[Name] = set()
     usual: set[tuple[str, str]] = set()
     kept: list[Step] = []
     for step in steps:
-        reasons: set[Name | None] = {name for item in step.items if isinstance(item, Projection) for name in _sought(item)}
+        projections = [item for item in step.items if isinstance(item, Projection)]
+        reasons: set[Name | None] = {name for item in projections for name in _sought(item)}
         found = [item.value for item in step.items if isinstance(item, Derived)]
         reasons |= {value.name for value in found if value.name is not None and value.exact == 0}
         reasons |= _unknown(step) - {value.name for value in found}
@@ -218,7 +219,7 @@ def _sought(item: Projection) -> set[Name]:
 def _unknown(step: Step) -> set[Name | None]:
     """The vectors of its tables whose magnitudes are not known before, without those that an equation projects."""
     terms = [term for item in step.items if isinstance(item, TermTable) for term in item.terms]
-    unknown = {term.name for term in terms if term.size is None}
+    unknown: set[Name | None] = {term.name for term in terms if term.size is None}
     used = [item for item in step.items if isinstance(item, Projection)]
     return unknown - {share.term.name for item in used for share in (*item.left, *item.right)}
 
