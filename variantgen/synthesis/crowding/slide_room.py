@@ -9,7 +9,8 @@ from typing import Any, TypeAlias
 from msgspec import Struct
 
 from variantgen.families.family import TOOTHED_RACK
-from variantgen.synthesis.seen import Bar, Seen, off
+from variantgen.synthesis.crowding.seen import Seen
+from variantgen.synthesis.crowding.segments import Bar, off
 
 Places: TypeAlias = Mapping[str, Any]  # numbers or arrays, cm
 # What they keep from each other in the layout and on all draws, in parts of the whole.

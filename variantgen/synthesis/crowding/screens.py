@@ -4,24 +4,19 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from itertools import combinations
-from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
-from variantgen.synthesis.draft import Draft, Wheel
-from variantgen.synthesis.seen import Bar, Seen, cross, off
-from variantgen.synthesis.slide_room import rooms
+from variantgen.synthesis.crowding.seen import Seen
+from variantgen.synthesis.crowding.segments import Bar, cross, off
+from variantgen.synthesis.crowding.slide_room import rooms
+from variantgen.synthesis.draft import Draft
 
 _APART, _CLEAR = 0.09, 0.06  # of hinges; of a hinge from a foreign link: sizes
 _BASE, _BOTH_FIXED = 1.5, 2.0  # as many times as much: of a fixed hinge, of two
 _FOLDED, _STRAIGHT = 18, 10  # degrees between two links at a common hinge, and from one straight line
-_GUIDE = 0.13  # of the whole: half the line of a fixed guide
-_MARKED, _STILL_MARKED = 0.25, 0.2  # of the whole, between the corners of two marked angles; on all draws
+_MARKED = 0.25  # of the whole, between the corners of two marked angles
 _ARC = 0.13  # of the whole: the radius of the arc of a marked angle, and of the arrows about the driving link
-_OFF_RIM = 0.02  # of the whole: what the rim of a wheel keeps from foreign links on all draws
 # Radii of a wheel that others keep from its centre; more of the first axis: sizes.
 _OFF_WHEEL, _PIVOT_OFF_RIM = 1.4, 0.13
 _MARGIN = 0.2  # of its guide, at each end, that a block keeps clear
@@ -44,29 +39,6 @@ def too_long(draft: Draft) -> str:
     if max(wide, high) > _LONGEST * min(wide, high):
         return "too long"
     return "too large" if max(wide, high) > _LARGEST else ""
-
-
-def crossed(draft: Draft, z: Mapping[str, NDArray[np.complex128]]) -> NDArray[np.bool_]:
-    """On which of N variants of a draft two links cross that nothing joins, or one a guide or a wheel, or something
-    slides where there is no room to show it; ``z`` has its points, in cm, shape (N,) each.
-    """
-    seen = Seen(draft)
-    found = np.zeros(next(iter(z.values())).shape, dtype=bool)
-    places = np.array([z[name] for name in seen.visible])
-    size = np.maximum(np.ptp(places.real, axis=0), np.ptp(places.imag, axis=0))
-    for one, other in _corners(seen):
-        found |= np.abs(z[one] - z[other]) < _STILL_MARKED * size
-    for point, bar in _near_guides(seen):
-        found |= cross(_with_guide(seen, z, point, size), ("start", "end"), bar)
-    for room in rooms(seen):
-        found |= room.measured(z, size) < room.still
-    for wheel in draft.wheels:
-        for bar in _off_wheel(seen, wheel):
-            found |= off(z, wheel.centre, bar) < wheel.largest + _OFF_RIM * size
-    for first, second in combinations(draft.bars, 2):
-        if not _joined(seen, first, second):
-            found |= cross(z, first, second)
-    return found
 
 
 def _near(seen: Seen) -> str:
@@ -101,7 +73,7 @@ def _on_wheels(seen: Seen) -> str:
         need = _OFF_WHEEL * wheel.radius
         if wheel.centre != "O" and seen.draft.distance(wheel.centre, "O") < wheel.radius + _PIVOT_OFF_RIM * seen.size:
             return "the driving link at the wheel"
-        for bar in _off_wheel(seen, wheel):
+        for bar in seen.off_wheel(wheel):
             if off(seen.z, wheel.centre, bar) < need:
                 return f"{bar[0]}{bar[1]} on the wheel"
         for name in seen.visible:
@@ -110,17 +82,12 @@ def _on_wheels(seen: Seen) -> str:
     return ""
 
 
-def _off_wheel(seen: Seen, wheel: Wheel) -> list[Bar]:
-    """The bars that must not lie across a wheel: those that neither end at its centre nor touch it."""
-    return [bar for bar in seen.draft.bars if not {wheel.centre, *wheel.touching} & set(bar)]
-
-
 def _bars(seen: Seen) -> str:
     """Two links that cross, or that lie on each other."""
     for one, other in combinations(seen.draft.bars, 2):
         if seen.members[one] == seen.members[other]:
             continue
-        if not _joined(seen, one, other):
+        if not seen.joined(one, other):
             if cross(seen.z, one, other):
                 return "links cross"
         elif _folded(seen, one, other):
@@ -148,11 +115,11 @@ def _blocks(seen: Seen) -> str:
 def _on_guides(seen: Seen) -> str:
     """A link across the line of a fixed guide, or a point on it; the guide on the line from which an angle is told."""
     size, base = seen.size, ("O", seen.draft.base)
-    for point, bar in _near_guides(seen):
-        if cross(_with_guide(seen, seen.z, point, size), ("start", "end"), bar):
+    for point, bar in seen.near_guides():
+        if cross(seen.with_guide(seen.z, point, size), ("start", "end"), bar):
             return f"{bar[0]}{bar[1]} across the guide of {point}"
-    for point, _ in _guides(seen):
-        z, own = _with_guide(seen, seen.z, point, size), _riding(seen, point)
+    for point, _ in seen.guides():
+        z, own = seen.with_guide(seen.z, point, size), seen.riding(point)
         for name in seen.visible:
             if name not in own and off(z, name, ("start", "end")) < _CLEAR * size:
                 return f"{name} on the guide of {point}"
@@ -161,37 +128,9 @@ def _on_guides(seen: Seen) -> str:
     return ""
 
 
-def _guides(seen: Seen) -> list[tuple[str, float]]:
-    """The sliders in fixed guides and the directions of these (degrees); the bearing of a yoke is on its own bar."""
-    stems = seen.draft.hints.get("stems", ())
-    guides = [fields for kind, fields in seen.draft.joints if kind == "guide" and fields["point"] not in stems]
-    return [(fields["point"], float(fields.get("angle", 0))) for fields in guides]
-
-
-def _near_guides(seen: Seen) -> Iterator[tuple[str, Bar]]:
-    """Sliders in fixed guides, and the bars that must not lie across these: none ends there or slides on the pin."""
-    slid, grooves = seen.slid, [set(ends) for ends in seen.draft.hints.get("grooves", ())]
-    for point, _ in _guides(seen):
-        for bar in (bar for bar in seen.draft.bars if set(bar) not in grooves or point not in seen.members[bar]):
-            through = point in seen.members[bar] and point not in bar
-            if through or (not {*bar} <= _riding(seen, point) and (point, bar) not in slid):
-                yield point, bar
-
-
-def _riding(seen: Seen, point: str) -> set[str]:
-    """A point and those of its bodies."""
-    return {point}.union(*(members for members in seen.draft.bodies.values() if point in members))
-
-
-def _with_guide(seen: Seen, z: Mapping[str, Any], point: str, size: Any) -> Mapping[str, Any]:
-    """Places with the ``start`` and the ``end`` of the line of a guide; ``size`` is that of the whole, as ``z``."""
-    half = _GUIDE * size * cmath.rect(1.0, math.radians(dict(_guides(seen))[point]))
-    return {**z, "start": z[point] - half, "end": z[point] + half}
-
-
 def _marks(seen: Seen) -> str:
     """Two marked angles at hinges that have no room for both arcs, or a link across an arc."""
-    for one, other in _corners(seen):
+    for one, other in seen.corners():
         if seen.draft.distance(one, other) < _MARKED * seen.size:
             return f"angles at {one} and {other}"
     for mark in seen.draft.marks:
@@ -199,11 +138,6 @@ def _marks(seen: Seen) -> str:
             if mark["at"] not in seen.members[bar] and _in_sector(seen, mark, bar, _ARC * seen.size):
                 return f"{bar[0]}{bar[1]} across the angle at {mark['at']}"
     return ""
-
-
-def _corners(seen: Seen) -> Iterator[tuple[str, str]]:
-    """Pairs of corners of marked angles."""
-    return combinations(sorted({mark["at"] for mark in seen.draft.marks}), 2)
 
 
 def _in_sector(seen: Seen, mark: Mapping[str, str], bar: Bar, radius: float) -> bool:
@@ -223,13 +157,6 @@ def _in_sector(seen: Seen, mark: Mapping[str, str], bar: Bar, radius: float) -> 
 def _lengths(seen: Seen) -> str:
     sizes = [datum.value for datum in seen.draft.data.values() if datum.unit == "cm"]
     return "lengths differ too much" if max(sizes) > _RATIO * min(sizes) else ""
-
-
-def _joined(seen: Seen, one: Bar, other: Bar) -> bool:
-    """Whether two links have a common point or one slides on the other."""
-    first, second, slid = seen.members[one], seen.members[other], seen.slid
-    sliding = any((point, one) in slid for point in second) or any((point, other) in slid for point in first)
-    return sliding or bool(set(first) & set(second))
 
 
 def _folded(seen: Seen, one: Bar, other: Bar) -> bool:
