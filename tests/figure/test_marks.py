@@ -116,7 +116,8 @@ def test_a_dimension_line_has_the_length_it_measures(seed: int) -> None:
 def _crosses(arc: Arc, start: complex, end: complex) -> bool:
     """Whether an arc crosses a short stroke: its ends are inside and outside of the circle, in the angle of the arc."""
     inside = [abs(place - arc.centre) < arc.radius for place in (start, end)]
-    turns = [np.angle(np.exp(1j * (np.angle(place - arc.centre) - arc.start - arc.sweep / 2))) for place in (start, end)]
+    middle = np.exp(1j * (arc.start + arc.sweep / 2))
+    turns = [np.angle((place - arc.centre) / middle) for place in (start, end)]
     return inside[0] != inside[1] and all(abs(turn) < abs(arc.sweep) / 2 for turn in turns)
 
 
