@@ -103,7 +103,15 @@ def test_solve_loads_no_more_than_it_needs() -> None:
     # Nothing about a whole turn of the crank, but whether there is a crank.
     assert {name for name in own if name.startswith("mechanism.turn.")} == {"mechanism.turn.crank"}
     assert "methods.by_groups.turn_answers" not in own
-    printing = ("agreement", "compose", "magnitudes", "other_base_point", "printed_numbers", "result_check")
+    printing = (
+        "agreement",
+        "beside_motion",
+        "compose",
+        "magnitudes",
+        "other_base_point",
+        "printed_numbers",
+        "result_check",
+    )
     others = ("by_groups.closed_chain", "by_groups.three_rates", "centres.projections", "vectors.cylinder")
     assert not own & {f"methods.{name}" for name in (*printing, *others, "steps.printed_digits")}
     assert not {name for name in own if name.startswith(("methods.coordinates", "methods.graphical"))}

@@ -14,8 +14,8 @@ from variantgen.cli import main
 from variantgen.errors import InputError
 from variantgen.exam.exam_file import Exam
 from variantgen.exam.roster import numbered
+from variantgen.exam.sections.tolerance import Tolerance
 from variantgen.exam.sheets import Sheet
-from variantgen.exam.tolerance import Tolerance
 from variantgen.outputs.formats import read_exam
 
 HEAD = 'title = "Quiz"\nlanguage = "en"\nformats = ["pdf"]\n{top}\n[solutions]\ndepth = "none"\n'

@@ -96,7 +96,7 @@ def check_options(arguments: argparse.Namespace, of_an_exam: bool) -> None:
 def show_exam(arguments: argparse.Namespace, path: Path) -> None:
     """Print the sheet with its answers, or write its pages; with ``--explain`` the solutions. Raises InputError."""
     from variantgen.builder.preview import one_sheet
-    from variantgen.exam.named_families import composing
+    from variantgen.exam.sections.named_families import composing
     from variantgen.families.reading.folders import family_folders
     from variantgen.outputs.formats import read_exam
     from variantgen.outputs.single.one_sheet import plain_sheet, write_sheet

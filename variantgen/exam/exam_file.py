@@ -14,13 +14,13 @@ from msgspec.structs import replace
 from variantgen.errors import InputError, Problem
 from variantgen.exam import printable
 from variantgen.exam.answer_page import read_answers_options
-from variantgen.exam.asked import check_forms, read_asked
-from variantgen.exam.marking_policy import MarkingPolicy, read_policy
-from variantgen.exam.named_families import read_names
-from variantgen.exam.notices import Notices, read_notices
-from variantgen.exam.solutions import Solutions, read_solutions
+from variantgen.exam.sections.asked import check_forms, read_asked
+from variantgen.exam.sections.marking_policy import MarkingPolicy, read_policy
+from variantgen.exam.sections.named_families import read_names
+from variantgen.exam.sections.notices import Notices, read_notices
+from variantgen.exam.sections.solutions import Solutions, read_solutions
+from variantgen.exam.sections.tolerance import Tolerance, read_tolerance, with_floor
 from variantgen.exam.student_order import NAME, SORTS
-from variantgen.exam.tolerance import Tolerance, read_tolerance, with_floor
 from variantgen.exam.work.wanted_work import WIDTH, Span, read_fair, read_work
 from variantgen.families.asking import Ask, check_ask, read_ask
 from variantgen.families.family import Family

@@ -11,7 +11,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from variantgen.exam.answer_tolerances import AnswerTolerances
-from variantgen.exam.tolerance import Tolerance, places_by_tolerance
+from variantgen.exam.sections.tolerance import Tolerance, places_by_tolerance
 from variantgen.families.asking import Ask, read_ask
 from variantgen.families.parameters.units import Unit
 from variantgen.families.quantities import Quantity, motion_order, recorded

@@ -11,7 +11,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from variantgen.exam.exam_file import Exam
-from variantgen.exam.marking_policy import MarkingPolicy
+from variantgen.exam.sections.marking_policy import MarkingPolicy
 from variantgen.marking.marks import Marked, MarkedAnswer, StudentTotal, Verdict
 from variantgen.marking.words import cause_in_words
 from variantgen.outputs.spreadsheet.numbers import width

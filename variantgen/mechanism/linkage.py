@@ -13,8 +13,8 @@ import numpy as np
 from msgspec import Struct
 
 from variantgen.mechanism.arithmetic import cross
-from variantgen.mechanism.joints.slot import Slot
-from variantgen.mechanism.rows import Constraint, Placement, ScalarRow, Shape, Sliding
+from variantgen.mechanism.joint import Sliding
+from variantgen.mechanism.rows import Constraint, Placement, ScalarRow, Shape
 from variantgen.mechanism.scene import Scene, fixed_points
 
 _ASLANT = 1e-6  # sine of the angle of a rope with a guide: less is rounding
@@ -40,7 +40,7 @@ class Linkage(Struct, frozen=True, dict=True):
         """Bodies that a single joint keeps from turning, and sleeves on one of them that do not swivel."""
         shapes = [shape for joint in self.scene.joints for shape in joint.shapes() if not shape.points]
         held = {body for shape in shapes if len(shape.bodies) == 1 for body in shape.bodies}
-        sleeves = [(j.sleeve, j.body) for j in self.scene.joints if isinstance(j, Slot) and j.sleeve is not None]
+        sleeves = [pair for joint in self.scene.joints if (pair := joint.locked())]
         return frozenset(held | {sleeve for sleeve, body in sleeves if body in held})
 
     @cached_property

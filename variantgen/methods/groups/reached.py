@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from functools import cached_property
 
-from variantgen.mechanism.joints.rolling import Rolling
-from variantgen.mechanism.joints.rolling_on_circle import RollingOnCircle
 from variantgen.mechanism.linkage import Linkage
 from variantgen.mechanism.rows import ScalarRow
 from variantgen.methods.groups.carriers import is_within_reach
@@ -82,11 +80,12 @@ class KnownMotion:
                 assert isinstance(row, ScalarRow)
                 normal = complex(row.points[point])
                 return PointPath(point, line=-1j * normal / abs(normal))
-            if isinstance(joint, Rolling) and joint.on is None and joint.centre == point and joint.body != but:
-                arm = self.task.now.z[point] - self.task.now.z[joint.contact]
+            wheel = joint.on_ground()
+            if wheel is not None and wheel.centre == point and wheel.body != but:
+                if wheel.around:
+                    return PointPath(point, centre=wheel.around)
+                arm = self.task.now.z[point] - self.task.now.z[wheel.contact]
                 return PointPath(point, line=1j * arm / abs(arm))
-            if isinstance(joint, RollingOnCircle) and joint.on is None and joint.centre == point and joint.body != but:
-                return PointPath(point, centre=joint.around)
         for body in self.owners(point):
             members = self.scene.bodies[body]
             pivot = self.task.linkage.pivot(body)

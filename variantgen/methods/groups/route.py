@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import permutations
 
 from variantgen.mechanism.drivers.circling import Circling
 from variantgen.mechanism.drivers.extension import Extension
 from variantgen.mechanism.drivers.relative_travel import RelativeTravel
 from variantgen.mechanism.drivers.rotation import Rotation
-from variantgen.mechanism.joints.rolling import Rolling
-from variantgen.mechanism.joints.rolling_on_circle import RollingOnCircle
-from variantgen.mechanism.joints.slot import Slot
-from variantgen.mechanism.rows import Sliding
+from variantgen.mechanism.joint import Sliding
 from variantgen.methods.groups.carriers import is_within_reach
 from variantgen.methods.groups.contact_groups import contact_groups
 from variantgen.methods.groups.group import (
@@ -83,10 +81,10 @@ class Route(KnownMotion):
 
     def _fixed_sleeves(self) -> Iterator[Group]:
         for joint in self.scene.joints:
-            if isinstance(joint, Slot) and joint.sleeve is not None:
-                for body, other in ((joint.sleeve, joint.body), (joint.body, joint.sleeve)):
-                    if body in self.open_bodies and other in self.book.omega:
-                        yield FixedSleeve(body, other)
+            pair = joint.locked()
+            for body, other in permutations(pair) if pair else ():
+                if body in self.open_bodies and other in self.book.omega:
+                    yield FixedSleeve(body, other)
 
     def _pivoted_links(self) -> Iterator[Group]:
         for body in self.open_bodies:
@@ -98,14 +96,9 @@ class Route(KnownMotion):
 
     def _rolling_wheels(self) -> Iterator[Group]:
         for number, joint in enumerate(self.scene.joints):
-            if isinstance(joint, Rolling) and joint.on is None:
-                group = RollingWheel(joint.body, joint.centre, number, joint.contact)
-            elif isinstance(joint, RollingOnCircle) and joint.on is None:
-                group = RollingWheel(joint.body, joint.centre, number, "", joint.around)
-            else:
-                continue
-            if (group.centre in self.book.velocity) != (group.body in self.book.omega):
-                yield group
+            wheel = joint.on_ground()
+            if wheel and (wheel.centre in self.book.velocity) != (wheel.body in self.book.omega):
+                yield RollingWheel(wheel.body, wheel.centre, number, wheel.contact, wheel.around)
 
     def _dyads(self) -> Iterator[Group]:
         for body in self.open_bodies:
@@ -212,7 +205,8 @@ class Route(KnownMotion):
 
     def _rolling_contact_poles(self) -> Iterator[Group]:
         for joint in self.scene.joints:
-            if not isinstance(joint, Rolling) or joint.on is not None or joint.body not in self.open_bodies:
+            wheel = joint.on_ground()
+            if wheel is None or wheel.body not in self.open_bodies:
                 continue
-            if joint.contact in self.scene.bodies[joint.body] and joint.contact not in self.book.velocity:
-                yield RollingContactPole(joint.body, joint.centre, joint.contact)
+            if wheel.contact in self.scene.bodies[wheel.body] and wheel.contact not in self.book.velocity:
+                yield RollingContactPole(wheel.body, wheel.centre, wheel.contact)
