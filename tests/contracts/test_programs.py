@@ -16,7 +16,7 @@ from variantgen.families.reading.folders import family_names
 from variantgen.families.reading.load import load_family
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.outcome import Outcome
-from variantgen.mechanism.program.program import Program
+from variantgen.mechanism.program.program import MotionProgram
 from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.solving.solve import solve_equations
 
@@ -40,7 +40,9 @@ def any_values(form: Form, size: int) -> dict[str, NDArray[np.float64]]:
     return found
 
 
-def both(form: Form, program: Program, values: dict[str, NDArray[np.float64]], pose: Frame | None) -> list[Motion]:
+def both(
+    form: Form, program: MotionProgram, values: dict[str, NDArray[np.float64]], pose: Frame | None
+) -> list[Motion]:
     """The motion by the solver and by the program."""
     scene = form.scene(form.values(values), pose)
     inputs = [values[name] for name in form.parameters] + ([pose.turn, pose.sense] if pose else [])

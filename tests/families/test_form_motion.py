@@ -11,7 +11,7 @@ from variantgen.families.form_motion import motion_of
 from variantgen.families.parameters.draw_rules import frame
 from variantgen.families.reading.load import load_family
 from variantgen.mechanism.outcome import Outcome
-from variantgen.mechanism.program.program import Program
+from variantgen.mechanism.program.program import MotionProgram
 from variantgen.mechanism.solving.solve import solve, solve_equations
 
 
@@ -19,13 +19,13 @@ from variantgen.mechanism.solving.solve import solve, solve_equations
 def made(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     """How many variants each call of a program had."""
     calls: list[int] = []
-    own = Program.motion
+    own = MotionProgram.motion
 
-    def motion(self: Program, scene: object, inputs: list[np.ndarray]) -> object:
+    def motion(self: MotionProgram, scene: object, inputs: list[np.ndarray]) -> object:
         calls.append(np.size(inputs[0]))
         return own(self, scene, inputs)  # type: ignore[arg-type]
 
-    monkeypatch.setattr(Program, "motion", motion)
+    monkeypatch.setattr(MotionProgram, "motion", motion)
     return calls
 
 

@@ -10,14 +10,14 @@ import pytest
 
 from variantgen.mechanism.arithmetic import from_parts, unit_vector
 from variantgen.mechanism.motion import Motion
-from variantgen.mechanism.program.program import Program
+from variantgen.mechanism.program.program import MotionProgram
 from variantgen.mechanism.program.recording import INPUT, Recording
 from variantgen.mechanism.scene import Scene
 
 NO_SCENE = Scene({}, {})
 
 
-def program(types: Sequence[type], rates: Callable[..., Any]) -> Program:
+def program(types: Sequence[type], rates: Callable[..., Any]) -> MotionProgram:
     """The program of a "motion" whose angular velocities are what is to be worked out."""
 
     def solved(inputs: Sequence[Any]) -> Motion:
@@ -25,10 +25,10 @@ def program(types: Sequence[type], rates: Callable[..., Any]) -> Program:
         found = dict(enumerate(rates(*inputs)))
         return Motion(NO_SCENE, outcome, np.ones(1), {}, {}, {}, {str(k): x for k, x in found.items()}, {})
 
-    return Program(types, solved)
+    return MotionProgram(types, solved)
 
 
-def results(made: Program, *inputs: Sequence[complex]) -> list[list[complex]]:
+def results(made: MotionProgram, *inputs: Sequence[complex]) -> list[list[complex]]:
     """What it gives for a batch; alone each of the batch gives the same."""
     arrays = [np.array(x) for x in inputs]
     motion = made.motion(NO_SCENE, arrays)

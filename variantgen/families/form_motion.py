@@ -12,7 +12,7 @@ from variantgen.mechanism.rows import Frame
 from variantgen.mechanism.solving.solve import mark_undecidable, solve, solve_equations
 
 if TYPE_CHECKING:
-    from variantgen.mechanism.program.program import Program
+    from variantgen.mechanism.program.program import MotionProgram
     from variantgen.mechanism.program.recording import Recorded
 
 # So many solutions take about as much longer as their program takes to make.
@@ -33,18 +33,18 @@ def motion_of(form: Form, parameters: Mapping[str, Real], on_paper: Frame | None
     return solve(scene, order, form.plan)
 
 
-def _program(form: Form, posed: bool, order: int) -> Program | None:
+def _program(form: Form, posed: bool, order: int) -> MotionProgram | None:
     """The program of a form that has solved so often already; None before, and where there can be none."""
     key = motion_of, posed, order
-    known: int | Program | None = form.remembered.get(key, 0)
+    known: int | MotionProgram | None = form.remembered.get(key, 0)
     if isinstance(known, int):
         known = form.remembered[key] = known + 1 if known < OFTEN else recorded_program(form, posed, order)
     return None if isinstance(known, int) else known
 
 
-def recorded_program(form: Form, posed: bool, order: int) -> Program | None:
+def recorded_program(form: Form, posed: bool, order: int) -> MotionProgram | None:
     """The program of a form; None where the way depends on the numbers, as in searches for a place."""
-    from variantgen.mechanism.program.program import Program  # few commands solve one form so often
+    from variantgen.mechanism.program.program import MotionProgram  # few commands solve one form so often
 
     names = list(form.parameters)
 
@@ -54,6 +54,6 @@ def recorded_program(form: Form, posed: bool, order: int) -> Program | None:
         return solve_equations(scene, order, form.plan)
 
     try:
-        return Program([float] * len(names) + [complex, float] * posed, solved)
+        return MotionProgram([float] * len(names) + [complex, float] * posed, solved)
     except TypeError:
         return None

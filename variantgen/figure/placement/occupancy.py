@@ -79,7 +79,7 @@ class Occupancy:
 
 
 def _samples(start: Places, end: Places) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.intp]]:
-    """x and y of points along all segments, nearer to each other than a cell, and how many each segment has."""
+    """X and y of points along all segments, nearer to each other than a cell, and how many each segment has."""
     step = end - start
     count = (np.abs(step) / (_STEP * CELL)).astype(np.intp) + 2
     ends = count.cumsum()

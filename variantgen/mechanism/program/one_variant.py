@@ -18,8 +18,8 @@ from variantgen.mechanism.program.recording import (
     INPUT,
     JOINED,
     REAL,
+    ArrayOperation,
     Operand,
-    Operation,
     Recording,
 )
 from variantgen.mechanism.program.source import Source, motion_text, results
@@ -57,23 +57,23 @@ def for_one_variant(recording: Recording, motion: Motion) -> Callable[..., Motio
     for operation in recording.needed(results(motion)):
         source.add(f"x{operation.place} = {_text(source, operation)}")
     # One array of each type, of which every result is a piece.
-    pieces: dict[Operation, str] = {}
+    pieces: dict[ArrayOperation, str] = {}
     for kind, dtype in (("f", "float"), ("c", "complex"), ("i", "'int8'")):
         own = [x for x in results(motion) if x.dtype.kind == kind]
         pieces |= {x: f"{kind}[{i}:{i + 1}]" for i, x in enumerate(own)}
         source.add(f"{kind} = array([{', '.join(f'x{x.place}' for x in own)}], {dtype})")
 
     def written(x: Operand) -> str:
-        return pieces[x] if isinstance(x, Operation) else source.constant(x)
+        return pieces[x] if isinstance(x, ArrayOperation) else source.constant(x)
 
     source.add(f"return {motion_text(motion, written)}")
     return source.function()
 
 
-def _text(source: Source, operation: Operation) -> str:
+def _text(source: Source, operation: ArrayOperation) -> str:
     if operation.name == INPUT:
         return f"inputs[{operation.operands[0]}].item()"
-    operands = [f"x{x.place}" if isinstance(x, Operation) else source.constant(x) for x in operation.operands]
+    operands = [f"x{x.place}" if isinstance(x, ArrayOperation) else source.constant(x) for x in operation.operands]
     if operation.name == CHOICE and operation.dtype.kind == "c":
         operands[1:] = [f"complex({x})" for x in operands[1:]]
     if operation.name not in _TEXTS or _by_numpy(operation):
@@ -81,7 +81,7 @@ def _text(source: Source, operation: Operation) -> str:
     return _TEXTS[operation.name].format(*operands)
 
 
-def _by_numpy(operation: Operation) -> bool:
+def _by_numpy(operation: ArrayOperation) -> bool:
     """Whether Python may end in another bit.
 
     For products of complex numbers numpy rounds once what Python rounds twice, if the processor can; where a part is

@@ -16,7 +16,7 @@ from variantgen.mechanism.scene import Scene
 from variantgen.mechanism.solving.memory import LARGE, keep_freed_memory
 
 
-class Program:
+class MotionProgram:
     """The motion of scenes that differ in their inputs alone: the same numbers to the bit, without the way through
     plan, constructions and joints.
 

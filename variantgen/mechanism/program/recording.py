@@ -16,7 +16,7 @@ import numpy as np
 from msgspec import Struct
 from numpy.typing import DTypeLike
 
-Operand: TypeAlias = Any  # an Operation, or a constant: bool, int, float, complex, a number of numpy
+Operand: TypeAlias = Any  # an ArrayOperation, or a constant: bool, int, float, complex, a number of numpy
 
 # Recorded numbers look like the arrays of a batch of one, so that shapes agree with those of constants.
 SHAPE = (1,)
@@ -26,7 +26,7 @@ _POWERS = {2: "square", 1: "positive", 0.5: "sqrt", -1: "reciprocal"}  # what nu
 _NEUTRAL = {"multiply": 1.0, "logical_and": True, "bitwise_and": True}
 
 
-class Operation(Struct, frozen=True, eq=False):
+class ArrayOperation(Struct, frozen=True, eq=False):
     """An operation of numpy by its name, or one of those above; ``place`` is its number in the recording."""
 
     place: int
@@ -35,17 +35,17 @@ class Operation(Struct, frozen=True, eq=False):
     dtype: np.dtype[Any]
 
     @property
-    def sources(self) -> list[Operation]:
+    def sources(self) -> list[ArrayOperation]:
         """The operands that are no constants."""
-        return [x for x in self.operands if isinstance(x, Operation)]
+        return [x for x in self.operands if isinstance(x, ArrayOperation)]
 
 
 class Recording:
     """Operations in their order; one that is there already is not noted again."""
 
     def __init__(self) -> None:
-        self._operations: list[Operation] = []
-        self._known: dict[tuple[Any, ...], Operation] = {}
+        self._operations: list[ArrayOperation] = []
+        self._known: dict[tuple[Any, ...], ArrayOperation] = {}
 
     def input(self, place: int, dtype: DTypeLike) -> Recorded:
         """A number that is given in this place."""
@@ -54,13 +54,13 @@ class Recording:
     def note(self, name: str, operands: Sequence[Any], dtype: np.dtype[Any]) -> Recorded:
         """The result of an operation on recorded numbers and constants."""
         known = tuple(x.operation if isinstance(x, Recorded) else x for x in operands)
-        key = name, dtype, *(x.place if isinstance(x, Operation) else repr(x) for x in known)
+        key = name, dtype, *(x.place if isinstance(x, ArrayOperation) else repr(x) for x in known)
         if key not in self._known:
-            self._known[key] = Operation(len(self._operations), name, known, dtype)
+            self._known[key] = ArrayOperation(len(self._operations), name, known, dtype)
             self._operations.append(self._known[key])
         return Recorded(self, self._known[key])
 
-    def needed(self, results: Iterable[Operation]) -> list[Operation]:
+    def needed(self, results: Iterable[ArrayOperation]) -> list[ArrayOperation]:
         """What some results need, in the order of the recording, themselves included."""
         found = {operation.place for operation in results}
         for operation in reversed(self._operations):
@@ -75,7 +75,7 @@ class Recorded(np.lib.mixins.NDArrayOperatorsMixin):
     shape = SHAPE
     __hash__ = None  # type: ignore[assignment]  # comparing is an operation
 
-    def __init__(self, recording: Recording, operation: Operation) -> None:
+    def __init__(self, recording: Recording, operation: ArrayOperation) -> None:
         self.recording, self.operation = recording, operation
 
     def __bool__(self) -> bool:

@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from variantgen.mechanism.motion import Motion
-from variantgen.mechanism.program.recording import Operand, Operation, Recorded
+from variantgen.mechanism.program.recording import ArrayOperation, Operand, Recorded
 
 _TABLES = ("z", "v", "a", "omega", "epsilon")  # of a motion; before them come its outcome and its transmission
 
@@ -45,7 +45,7 @@ class Source:
         return made
 
 
-def results(motion: Motion) -> list[Operation]:
+def results(motion: Motion) -> list[ArrayOperation]:
     """The operations whose results a recorded motion has, each once."""
     tables = [getattr(motion, name) for name in _TABLES]
     numbers: list[Any] = [motion.outcome, motion.transmission, *(x for table in tables for x in table.values())]
