@@ -53,7 +53,7 @@ class Obstacles(Struct):
         return self._known
 
     def crossings(self, places: Sequence[complex] | NDArray[Any], half_sides: tuple[Sides, Sides]) -> NDArray[np.int64]:
-        """How many of the lines drawn so far cross the box about each place, shape (P,); see :func:`boxes_crossed`."""
+        """How many of the lines drawn so far cross the box about each place, shape (P,)."""
         return boxes_crossed_by(self._spans_of_all(), np.asarray(places), half_sides)
 
     def _spans_of_all(self) -> NDArray[np.float64]:
