@@ -12,7 +12,7 @@ from benchmarks.sheets import drawn_sheets
 from tests.pdf_text import page_texts
 from variantgen.cli import main
 from variantgen.errors import InputError
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.roster import numbered
 from variantgen.exam.sections.tolerance import Tolerance
 from variantgen.exam.sheets import Sheet

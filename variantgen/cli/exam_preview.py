@@ -14,7 +14,7 @@ from variantgen.cli.options import some_text
 from variantgen.errors import InputError, Problem
 
 if TYPE_CHECKING:
-    from variantgen.exam.exam_file import Exam
+    from variantgen.exam.exam import Exam
     from variantgen.exam.roster import Student
     from variantgen.exam.sheets import Sheet
 

@@ -8,7 +8,7 @@ from msgspec import Struct
 
 from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.exam.ceiling import within
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sections.tolerance import Tolerance, places_by_tolerance
 from variantgen.exam.sheets import Item, answers_of, solve_all

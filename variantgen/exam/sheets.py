@@ -22,7 +22,7 @@ from variantgen.variants.seeding import digest
 from variantgen.variants.variant import Variant, solve_variants
 
 if TYPE_CHECKING:
-    from variantgen.exam.exam_file import ExamProblem
+    from variantgen.exam.exam import ExamProblem
     from variantgen.exam.roster import Student
     from variantgen.methods.hand.work import Work
     from variantgen.wording.formula import Surd

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from pathlib import Path
 
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.sections.marking_policy import MarkingPolicy
 from variantgen.marking.marks import Marked, MarkedAnswer, StudentTotal, Verdict
 from variantgen.marking.words import cause_in_words

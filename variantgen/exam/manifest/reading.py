@@ -13,7 +13,7 @@ from typing import Any
 from msgspec import Struct, field
 
 from variantgen.errors import InputError, Problem
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.manifest.recorded_sheets import RecordedSheet, read_sheet
 from variantgen.exam.manifest.streamed_json import entries
 from variantgen.exam.sections.named_families import read_recorded

@@ -10,16 +10,16 @@ from numpy.typing import NDArray
 
 from variantgen.synthesis.crowding.seen import Seen
 from variantgen.synthesis.crowding.segments import cross, off
+from variantgen.synthesis.crowding.slide_room import rooms
 from variantgen.synthesis.draft import Draft
 
 _STILL_MARKED = 0.2  # of the whole, between the corners of two marked angles
-# Of the whole: what the end of a rack and the rim of a wheel keep from foreign links.
-_STILL_CLEAR, _OFF_RIM = 0.04, 0.02
+_OFF_RIM = 0.02  # of the whole: what the rim of a wheel keeps from foreign links
 
 
 def crossed(draft: Draft, z: Mapping[str, NDArray[np.complex128]]) -> NDArray[np.bool_]:
-    """On which of N variants of a draft two links cross that nothing joins, or one a guide or a wheel, or one is at the
-    end of a rack; ``z`` has its points, in cm, shape (N,) each.
+    """On which of N variants of a draft two links cross that nothing joins, or one a guide or a wheel, or something
+    slides where there is no room to show it; ``z`` has its points, in cm, shape (N,) each.
     """
     seen = Seen(draft)
     found = np.zeros(next(iter(z.values())).shape, dtype=bool)
@@ -29,8 +29,8 @@ def crossed(draft: Draft, z: Mapping[str, NDArray[np.complex128]]) -> NDArray[np
         found |= np.abs(z[one] - z[other]) < _STILL_MARKED * size
     for point, bar in seen.near_guides():
         found |= cross(seen.with_guide(z, point, size), ("start", "end"), bar)
-    for end, bar in seen.near_racks():
-        found |= off(z, end, bar) < _STILL_CLEAR * size
+    for room in rooms(seen):
+        found |= room.measured(z, size) < room.still
     for wheel in draft.wheels:
         for bar in seen.off_wheel(wheel):
             found |= off(z, wheel.centre, bar) < wheel.largest + _OFF_RIM * size

@@ -9,6 +9,7 @@ from itertools import combinations
 
 from variantgen.synthesis.crowding.seen import Seen
 from variantgen.synthesis.crowding.segments import Bar, cross, off
+from variantgen.synthesis.crowding.slide_room import rooms
 from variantgen.synthesis.draft import Draft
 
 _APART, _CLEAR = 0.09, 0.06  # of hinges; of a hinge from a foreign link: sizes
@@ -28,7 +29,7 @@ _LONGEST, _LARGEST = 3.2, 300.0  # longer over shorter side of the whole; cm
 def crowded(draft: Draft) -> str:
     """What is too near to what, or crosses it; nothing where the figure is clear."""
     seen = Seen(draft)
-    screens = (_near, _on_bars, _on_racks, _on_wheels, _bars, _blocks, _on_guides, _marks, _lengths)
+    screens = (_near, _on_bars, _at_slides, _on_wheels, _bars, _blocks, _on_guides, _marks, _lengths)
     return next(filter(None, (screen(seen) for screen in screens)), "")
 
 
@@ -61,12 +62,9 @@ def _on_bars(seen: Seen) -> str:
     return ""
 
 
-def _on_racks(seen: Seen) -> str:
-    """A link at the end of a rack, which no point marks."""
-    for end, bar in seen.near_racks():
-        if off(seen.z, end, bar) < _CLEAR * seen.size:
-            return f"{bar[0]}{bar[1]} at the end of a rack"
-    return ""
+def _at_slides(seen: Seen) -> str:
+    """A link or a point in the way of what shows that something slides."""
+    return next((room.told for room in rooms(seen) if room.measured(seen.z, seen.size) < room.first), "")
 
 
 def _on_wheels(seen: Seen) -> str:

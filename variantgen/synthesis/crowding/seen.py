@@ -8,11 +8,11 @@ from collections.abc import Iterator, Mapping
 from itertools import combinations
 from typing import Any
 
-from variantgen.families.family import TOOTHED_RACK
 from variantgen.synthesis.crowding.segments import Bar
 from variantgen.synthesis.draft import Draft, Wheel
 
 _SMALLEST = 80.0  # cm: while the first links are laid out, the mechanism counts as large as this
+_ON_LINE = 1e-6  # of a bar: how far off its line a point of it may be by rounding
 _GUIDE = 0.13  # of the whole: half the line of a fixed guide
 
 
@@ -26,7 +26,7 @@ class Seen:
             (point, bar)
             for point, start, end in draft.inside
             for bar, members in self.members.items()
-            if start in members and end in members
+            if start in members and end in members and _lies_along(draft, bar, (start, end))
         }
         hidden = draft.hints.get("hidden", ())
         self.visible = [name for name in draft.z if name not in hidden]
@@ -45,13 +45,6 @@ class Seen:
     def corners(self) -> Iterator[tuple[str, str]]:
         """Pairs of corners of marked angles."""
         return combinations(sorted({mark["at"] for mark in self.draft.marks}), 2)
-
-    def near_racks(self) -> Iterator[tuple[str, Bar]]:
-        """The ends of racks beyond their wheels, and the bars that are not hinged to the slider of the rack."""
-        for body, noun in self.draft.nouns.items():
-            if noun == TOOTHED_RACK:
-                slider, end = self.draft.bodies[body]
-                yield from ((end, bar) for bar in self.draft.bars if slider not in bar)
 
     def off_wheel(self, wheel: Wheel) -> list[Bar]:
         """The bars that must not lie across a wheel: those that neither end at its centre nor touch it."""
@@ -80,6 +73,12 @@ class Seen:
         """Places with the ``start`` and the ``end`` of the line of a guide; ``size`` is that of the whole, as ``z``."""
         half = _GUIDE * size * cmath.rect(1.0, math.radians(dict(self.guides())[point]))
         return {**z, "start": z[point] - half, "end": z[point] + half}
+
+
+def _lies_along(draft: Draft, bar: Bar, line: Bar) -> bool:
+    """Whether a bar of a link is on the line of two of its points, not another one of the same link."""
+    z, step = draft.z, draft.z[line[1]] - draft.z[line[0]]
+    return all(abs(((z[end] - z[line[0]]) / step).imag) < _ON_LINE for end in bar)
 
 
 def _members(draft: Draft, bar: Bar) -> list[str]:
