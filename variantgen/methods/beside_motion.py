@@ -10,6 +10,7 @@ import math
 from functools import cached_property
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.algebra.expression import Total, Value
 from variantgen.algebra.name import OWN_AXES, Name
@@ -41,7 +42,7 @@ class BesideMotion(Struct, frozen=True, dict=True):
             return 0.0 if nothing else turn(value.exact - right)
         if not math.isfinite(right) or not math.isfinite(value.exact):
             return 0.0 if value.exact == right else math.inf
-        scale = self._measure_scale(value.measure) or 1.0
+        scale = self.task.scales.get(value.measure, 1.0) or 1.0
         far = (1.0 + abs(right) / scale) ** 2 if quantity.is_centre or quantity.group in ("path", "ratio") else 1.0
         return abs(value.exact - right) / scale / far
 
@@ -51,7 +52,7 @@ class BesideMotion(Struct, frozen=True, dict=True):
         if name.kind in ("v", "a"):
             return self._size_of_vector(exact, name)
         if name.kind == "heading":
-            headed = name._replace(kind=name.body, body="")  # the vector of which it is the direction
+            headed = replace(name, kind=name.body, body="")  # the vector of which it is the direction
             return min((turn(exact - _degrees(v)) for v in self.solved.vectors(headed) if v), default=0.0)
         if name.kind == "parameter":  # signs of laws of time are left to the figure, as those of rates
             found = self.solved.derived(name, value.measure)
@@ -65,10 +66,10 @@ class BesideMotion(Struct, frozen=True, dict=True):
         if (rate := self.solved.rate(name)) is not None:
             # The magnitude is never negative, so that a negative number has a sign.
             gap = exact - rate if name.part == "z" or name.dots or exact < 0 else exact - abs(rate)
-            return relative(gap, self._measure_scale(value.measure))
+            return relative(gap, self.task.scales.get(value.measure, 1.0))
         if (coordinate := self.solved.coordinate(name)) is not None:
             gap = abs(exact) - abs(coordinate) if _is_opposite(value) else exact - coordinate
-            return relative(gap, max(self._measure_scale(value.measure), abs(coordinate)))
+            return relative(gap, max(self.task.scales.get(value.measure, 1.0), abs(coordinate)))
         return self._measured(exact, name)
 
     def _size_of_vector(self, exact: float, name: Name) -> float:
@@ -114,14 +115,6 @@ class BesideMotion(Struct, frozen=True, dict=True):
     def scale(self, order: int) -> float:
         """The largest velocity (``order`` 1) or acceleration."""
         return self.task.largest_speed if order == 1 else self.task.largest_acceleration
-
-    def _measure_scale(self, measure: str) -> float:
-        """The natural scale of a measure."""
-        task = self.task
-        scales = {"length": task.size, "velocity": task.largest_speed, "acceleration": task.largest_acceleration}
-        scales["angular velocity"] = task.largest_speed / task.size
-        scales["angular acceleration"] = task.largest_acceleration / task.size
-        return scales.get(measure, 1.0)
 
 
 def vector_of(size: float, term: Term) -> complex:

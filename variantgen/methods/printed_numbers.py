@@ -19,7 +19,7 @@ from variantgen.algebra.name import AXES, ON_LINE, Name
 from variantgen.algebra.values import in_order
 from variantgen.methods.beside_motion import ANYWHERE, BesideMotion, relative, turn, vector_of
 from variantgen.methods.linkage.problem import Task
-from variantgen.methods.steps.printed_digits import items_values
+from variantgen.methods.steps.printed_digits import shown_values
 from variantgen.methods.steps.step import (
     Ascending,
     Balance,
@@ -57,7 +57,7 @@ class PrintedNumbers(Struct, dict=True):
         unknown: dict[Name, Term] = {}
         projections = []
         for item in step.items:
-            for value in in_order(items_values([item]), self._checked):
+            for value in in_order(shown_values(item), self._checked):
                 self._checked.add(value)
                 yield value.name, self._value(value)
             yield from self._equation(item)

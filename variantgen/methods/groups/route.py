@@ -31,6 +31,23 @@ from variantgen.methods.groups.group import (
 from variantgen.methods.groups.reached import KnownMotion
 from variantgen.methods.solution.book import Book
 
+_SEARCHES = (
+    "_relative_rotations",
+    "_fixed_sleeves",
+    "_pivoted_links",
+    "_rolling_wheels",
+    "_dyads",
+    "_floating_dyads",
+    "_sliding_pairs",
+    "_contact_groups",
+    "_extending_links",
+    "_pivoted_links_at_last",
+    "_two_point_bodies",
+    "_third_class_groups",
+    "_rolling_contact_poles",
+)
+_BY_NUMBERS = ("_contact_groups",)  # whether tangents are parallel
+
 
 class Route(KnownMotion):
     """Looks for the next group of a book whose velocities are being worked out."""
@@ -51,24 +68,22 @@ class Route(KnownMotion):
         return None
 
     def _groups(self) -> Iterator[Group]:
-        """The groups within reach, in the order in which they are taken."""
-        searches = (
-            self._relative_rotations,
-            self._fixed_sleeves,
-            self._pivoted_links,
-            self._rolling_wheels,
-            self._dyads,
-            self._floating_dyads,
-            self._sliding_pairs,
-            self._contact_groups,
-            self._extending_links,
-            self._pivoted_links_at_last,
-            self._two_point_bodies,
-            self._third_class_groups,
-            self._rolling_contact_poles,
-        )
-        for search in searches:
-            yield from search()
+        """The groups within reach, in the order in which they are taken.
+
+        What is found follows from names, so the form remembers which searches are vain where the same is known.
+        """
+        book = self.book
+        known = frozenset(book.velocity), frozenset(book.omega), frozenset(book.relative)
+        vain: set[str] = self.task.by_names.setdefault(("vain", self.at_last, self.translating, *known), set())
+        for name in _SEARCHES:
+            if name in vain:
+                continue
+            nothing = True
+            for group in getattr(self, name)():
+                nothing = False
+                yield group
+            if nothing and name not in _BY_NUMBERS:
+                vain.add(name)
 
     def _relative_rotations(self) -> Iterator[Group]:
         for number, driver in enumerate(self.scene.drivers):
