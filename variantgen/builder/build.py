@@ -6,6 +6,7 @@ import hashlib
 import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -81,7 +82,8 @@ def build(
     exam = read_exam(exam) if isinstance(exam, Path) else exam
     exam = exam if seed is None else replace(exam, seed=seed)
     students = in_order(students, exam.sort, exam.spoken.words("language")["alphabet"])
-    check_free(out, force, known_files)
+    known = partial(known_files, exam.formats)
+    check_free(out, force, known)
     for name in exam.formats:
         format_of(name).check(exam, students)
     with terminable(), typesetter() as engine:
@@ -98,7 +100,7 @@ def build(
                 sheets = StoredSheets(exam, students, parts, [sheet.code for sheet in standing])
                 kept = _make_all(exam, sheets, spec, parts, workers, progress)
             notes: list[str] = []
-            with whole_folder(out, force, known_files, notes) as folder:
+            with whole_folder(out, force, known, notes) as folder:
                 built = _put_together(exam, sheets, spec, parts, folder, engine)
             return replace(built, folder=out, kept=kept, notes=(*built.notes, *notes))
 

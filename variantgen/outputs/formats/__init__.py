@@ -22,7 +22,7 @@ from __future__ import annotations
 import importlib
 import pkgutil
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any, Protocol, cast
@@ -165,9 +165,14 @@ def is_target(name: object, target: object) -> bool:
     return name in FORMATS and re.fullmatch(format_of(name).TARGETS, target, re.DOTALL) is not None
 
 
-def known_files() -> tuple[str, ...]:
-    """Names and patterns of all files that a build may have made."""
-    return (*COMMON, *(pattern for name in FORMATS for pattern in format_of(name).FILES))
+def known_files(first: Sequence[str] = ()) -> Iterator[str]:
+    """Names and patterns of all files that a build may have made, those of the formats named ``first`` before others.
+
+    A format is loaded when its files are asked for.
+    """
+    yield from COMMON
+    for name in dict.fromkeys((*first, *FORMATS)):
+        yield from format_of(name).FILES
 
 
 def read_exam(path: Path, folders: tuple[Path, ...] | None = None) -> Exam:
