@@ -16,7 +16,7 @@ from typing import Any
 
 from variantgen.version import VERSION
 
-PACKAGES = ("numpy", "scipy", "typst", "jinja2", "pikepdf", "numba", "pylinkage")
+PACKAGES = ("numpy", "scipy", "typst", "jinja2", "pikepdf", "segno", "numba", "pylinkage")
 
 Cell = str | int | float | None
 

@@ -142,6 +142,7 @@ def test_a_build_without_solutions_loads_no_more_than_it_needs(tmp_path: Path) -
         "markupsafe",
         "typst",
         "pikepdf",
+        "segno",
         "deprecated",
         "wrapt",
         "lxml",

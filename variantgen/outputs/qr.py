@@ -13,18 +13,17 @@ from collections.abc import Iterator, Sequence
 from variantgen.errors import InputError, Problem
 from variantgen.exam.exam import Exam
 from variantgen.exam.sheets import Sheet
-from variantgen.letters import named
-from variantgen.outputs.qr_modules import LETTERS, modules
 from variantgen.tables import shown
 
 VERSION = 1
+
+# Any of the eight masks can be read. To find the one that looks least like a pattern takes eight times as long.
+_MASK = 3
 
 # Letters of a text; 64 capitals take 33 modules in a row, those of our sheets 25.
 _LONGEST = 64
 
 _BAR = re.compile(rb"\x01+")
-
-_KNOWN = f"known: {LETTERS}"
 
 Rows = Sequence[bytes]  # a byte for every module, 1 if it is dark
 
@@ -42,18 +41,17 @@ def answer_qr_text(exam: Exam, sheet: Sheet, page: int) -> str:
 def qr_rows(text: str) -> Rows:
     """The modules of a code from the top, without the white around them; error level M.
 
-    Raises InputError for a text that is longer than what a reader finds on 10 mm of paper, and for other letters.
+    Raises InputError for a text that is longer than what a reader finds on 10 mm of paper.
     """
+    import segno
+
     if len(text) > _LONGEST:
         remedy = "was the manifest changed? or write  qr = false  under [page]"
         raise InputError(
             Problem(f"the text of a QR code has more than {_LONGEST} characters", value=shown(text), remedy=remedy)
         )
-    if strange := set(text) - set(LETTERS):
-        raise InputError(
-            Problem(f"the text of a QR code has other letters: {named(min(strange))}", value=shown(text), remedy=_KNOWN)
-        )
-    return modules(text)
+    made = segno.make(text, error="m", mask=_MASK, micro=False, boost_error=False)
+    return tuple(map(bytes, made.matrix))
 
 
 def qr_bars(rows: Rows) -> Iterator[tuple[int, int, int]]:

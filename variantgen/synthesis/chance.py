@@ -8,7 +8,7 @@ from typing import TypeVar
 from variantgen.variants.seeding import Stream, index_below
 
 Item = TypeVar("Item")
-_AT_ONCE = 512  # words: to work out few takes as long
+_AT_ONCE = 64
 
 
 class Chance:

@@ -25,7 +25,7 @@ from variantgen.variants.screening import (
     sensitivity,
     verification,
 )
-from variantgen.variants.seeding import Stream, index_below, next_words
+from variantgen.variants.seeding import Stream, index_below
 from variantgen.variants.variant import Variant, solve_variants
 
 MAX_ATTEMPTS = 20_000  # of one student
@@ -84,12 +84,12 @@ class FormSampler:
         """
         width = len(self.names) + 1
         for stream, skipped in zip(streams, done, strict=True):
-            stream.skip(skipped * width)
+            stream.words(skipped * width)
         used = np.array(done)
         found: dict[int, Variant] = {}
         pending, chunk = list(range(len(streams))), _CHUNK
         while pending:
-            words = next_words([streams[i] for i in pending], chunk * width).reshape(-1, width)
+            words = np.array([streams[i].words(chunk * width) for i in pending]).reshape(-1, width)
             owner = np.repeat(pending, chunk)
             number = used[owner] + np.tile(np.arange(1, chunk + 1), len(pending))
             attempts = self.attempts(words, owner, number)

@@ -18,7 +18,7 @@ from variantgen.variants.batch import MakeScreening, RejectionCounts
 from variantgen.variants.distinct import TooFewError
 from variantgen.variants.examined import examined
 from variantgen.variants.printed_data import max_distinct_problems
-from variantgen.variants.seeding import Stream, index_below, next_words
+from variantgen.variants.seeding import Stream, index_below
 from variantgen.variants.variant import Variant
 
 
@@ -103,7 +103,7 @@ class FamilySampler:
     def after(self, keys: Sequence[tuple[object, ...]], done: Sequence[int]) -> list[Variant]:
         """The first valid draw of each key after the attempts ``done`` that it has used."""
         streams = [Stream(*key, self.family.name) for key in keys]
-        chosen = index_below(next_words(streams, 1)[:, 0], len(self.forms)).tolist()
+        chosen = [int(index_below(stream.words(1), len(self.forms))[0]) for stream in streams]
         found: dict[int, Variant] = {}
         for number, form in enumerate(self.forms):
             members = [i for i, choice in enumerate(chosen) if choice == number]
