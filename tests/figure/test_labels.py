@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from variantgen.figure.drawing import Arc, Layer
-from variantgen.figure.ink import boxes_crossed, gaps_to_box
+from variantgen.figure.ink import Segments, boxes_crossed_by, gaps_to_box, spans_of
 from variantgen.figure.placement.label_requests import LabelRequest, along_arrow, along_line, around
 from variantgen.figure.placement.labels import PlacedLabels, WantedLabels, place_labels
 from variantgen.figure.placement.occupancy import CELL, Occupancy
@@ -26,6 +26,13 @@ def placed(
     """The labels of one figure."""
     (found,) = place_labels([WantedLabels(requests, segments, strangers)])
     return found
+
+
+def boxes_crossed(
+    places: NDArray[np.complex128], half_sides: tuple[float, float], segments: Segments
+) -> NDArray[np.int64]:
+    """How many segments cross the box about each place."""
+    return boxes_crossed_by(spans_of(segments), places, half_sides)
 
 
 def test_boxes_and_segments() -> None:

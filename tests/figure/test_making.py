@@ -54,7 +54,7 @@ def bare(corner: complex) -> Making:
     """A line from the origin without any label."""
     sketch = Sketch({}, 1.0)
     sketch.path((0j, corner), Layer.LINK)
-    return (yield Unlettered(sketch, {}))
+    return (yield Unlettered(sketch, {})).drawing
 
 
 def broken(after: int) -> Making:

@@ -170,7 +170,7 @@ class Form(Struct, frozen=True, eq=False, dict=True):
         """The structure of the scene; the same for all variants."""
         return analyse(self.sample)
 
-    @property
+    @cached_property
     def bars(self) -> list[tuple[str, str, str]]:
         """Bodies drawn as bars, with the two ends (their first two points)."""
         drawn = {disc.body for disc in self.figure.discs} | {*self.figure.plates, *self.figure.plain}

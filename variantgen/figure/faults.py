@@ -115,9 +115,7 @@ def buried_heads(lines: Sequence[Line]) -> list[tuple[complex, complex]]:
         (start, tip)
         for start, tip, _ in arrows
         if any(abs(tip - hinge) < _COVERED and abs(hinge - start) > _OTHER_PLACE for hinge in hinges)
-        or any(
-            abs(other - start) > _OTHER_PLACE and _distance(tip, other, end) < _COVERED for other, end, _ in arrows
-        )
+        or any(abs(other - start) > _OTHER_PLACE and _distance(tip, other, end) < _COVERED for other, end, _ in arrows)
     ]
 
 

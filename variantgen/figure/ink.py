@@ -64,16 +64,6 @@ def _around(count: int) -> tuple[complex, ...]:
     return tuple([cmath.rect(1.0, math.tau / count * number) for number in range(count + 1)])
 
 
-def boxes_crossed(
-    places: NDArray[np.complex128], half_sides: tuple[Sides, Sides], segments: Segments
-) -> NDArray[np.int64]:
-    """Number of segments that cross the box about each place (separating axes of box and segment), shape (P,).
-
-    The half sides are the same for all boxes or arrays of shape (P, 1).
-    """
-    return boxes_crossed_by(spans_of(segments), places, half_sides)
-
-
 def spans_of(segments: Segments) -> Spans:
     """What of segments is compared with boxes: x and y of the middles and of the halves, sizes of these; (6, S)."""
     middle, half = 0.5 * (segments[:, 0] + segments[:, 1]), 0.5 * (segments[:, 1] - segments[:, 0])
@@ -83,10 +73,10 @@ def spans_of(segments: Segments) -> Spans:
 def boxes_crossed_by(
     spans: Spans, places: NDArray[np.complex128], half_sides: tuple[Sides, Sides]
 ) -> NDArray[np.int64]:
-    """Number of segments that cross the box about each place, shape (P,).
+    """Number of segments that cross the box about each place (separating axes of box and segment), shape (P,).
 
-    The same as :func:`boxes_crossed` for segments that are asked again and again: ``spans`` are :func:`spans_of` them.
-    The half sides may also be given for each box and segment, shape (P, S).
+    ``spans`` are :func:`spans_of` the segments, which are asked again and again. The half sides are the same for all
+    boxes, or arrays of shape (P, 1) or (P, S).
     """
     hx, hy = half_sides
     middle_x, middle_y, way_x, way_y, dx, dy = spans
@@ -137,7 +127,8 @@ def gaps_to_box(
     """
     hx, hy = half_sides
     start, end = segments[..., 0], segments[..., 1]
-    start_x, start_y, end_x, end_y = start.real - place.real, start.imag - place.imag, end.real - place.real, end.imag - place.imag
+    start_x, start_y = start.real - place.real, start.imag - place.imag
+    end_x, end_y = end.real - place.real, end.imag - place.imag
     step_x, step_y = end_x - start_x, end_y - start_y
     # Ends of the segments to the box, corners of the box to the segments: the nearest pair is one of these.
     found = np.minimum(_square_to_box(start_x, start_y, hx, hy), _square_to_box(end_x, end_y, hx, hy))

@@ -10,10 +10,10 @@ from msgspec import Struct, field
 from msgspec.structs import replace
 from numpy.typing import NDArray
 
-from variantgen.figure.drawing import Arc, Path
+from variantgen.figure.drawing import Arc, Path, Strokes
 from variantgen.figure.ink import Sides, boxes_crossed_by, corners_of, spans_of
 
-Outline: TypeAlias = Path | Arc | Sequence[complex]
+Outline: TypeAlias = Path | Arc | Strokes | Sequence[complex]
 _SAGITTA = 0.12  # of the chords that stand for an arc, u
 
 
@@ -40,20 +40,28 @@ class Obstacles(Struct):
             starts: list[complex] = []
             ends: list[complex] = []
             for outline, weight in self._new:
-                corners = corners_of(outline, _SAGITTA) if isinstance(outline, Path | Arc) else outline
-                starts += corners[:-1]
-                ends += corners[1:]
-                self._weights += [weight] * (len(corners) - 1)
+                if isinstance(outline, Strokes):
+                    starts += [start for start, _ in outline.segments]
+                    ends += [end for _, end in outline.segments]
+                else:
+                    corners = corners_of(outline, _SAGITTA) if isinstance(outline, Path | Arc) else outline
+                    starts += corners[:-1]
+                    ends += corners[1:]
+                self._weights += [weight] * (len(self._known) + len(starts) - len(self._weights))
             self._new.clear()
             self._known = np.concatenate((self._known, np.array((starts, ends), dtype=complex).T))
         return self._known
 
     def crossings(self, places: Sequence[complex] | NDArray[Any], half_sides: tuple[Sides, Sides]) -> NDArray[np.int64]:
-        """How many of the lines drawn so far cross the box about each place, shape (P,); see :func:`boxes_crossed`."""
+        """How many of the lines drawn so far cross the box about each place, shape (P,)."""
+        return boxes_crossed_by(self._spans_of_all(), np.asarray(places), half_sides)
+
+    def _spans_of_all(self) -> NDArray[np.float64]:
+        """What of all segments is compared with boxes."""
         segments = self.segments()
         if self._spans.shape[1] != len(segments):
             self._spans = np.concatenate((self._spans, spans_of(segments[self._spans.shape[1] :])), axis=1)
-        return boxes_crossed_by(self._spans, np.asarray(places), half_sides)
+        return self._spans
 
     def met_near_circles(
         self, centre: complex, radii: NDArray[np.float64], margin: float
@@ -63,12 +71,12 @@ class Obstacles(Struct):
         Shape (K,) each. A place is where a line gets nearer or farther than that, or where a segment begins in between:
         so a line that runs along the circle (an arc about the same centre) is met too.
         """
-        segments = self.segments() - centre
-        middle, half = 0.5 * (segments[:, 0] + segments[:, 1]), 0.5 * (segments[:, 1] - segments[:, 0])
-        far = np.abs(middle)
-        size = np.abs(half)
-        seen = (far - size < radii.max() + margin) & (far + size > radii.min() - margin)
-        start, step = segments[seen, 0], 2.0 * half[seen]
+        spans = self._spans_of_all()
+        far, size = np.hypot(spans[0] - centre.real, spans[1] - centre.imag), np.hypot(spans[4], spans[5])
+        least, most = min(radii.tolist()) - margin, max(radii.tolist()) + margin
+        seen = ((far - size < most) & (far + size > least)).nonzero()[0]
+        segments = self._known[seen] - centre
+        start, step = segments[:, 0], segments[:, 1] - segments[:, 0]
         arm = np.abs(start)
         begun, begins = (np.abs(arm - radii[:, None]) < margin).nonzero()
         # |start + t step| = radius

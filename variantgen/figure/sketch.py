@@ -76,7 +76,7 @@ class Sketch(Struct):
 
     def add(self, line: Line) -> None:
         """Draw a finished line; it is an obstacle for labels."""
-        self._add(line, *(line.segments if isinstance(line, Strokes) else (line,)))
+        self._add(line, line)
 
     def arc(self, arc: Arc) -> None:
         """Draw an arc or a circle; it is an obstacle for labels."""

@@ -91,7 +91,7 @@ def _tries(make: Callable[[float], BodyFigure], kind: str) -> Iterator[Unlettere
         marked = MOST_ANGLES + 1
         for most in _MOST_MARKED if stretch == _SIZES[0] else (0,):
             if most < marked:  # else there is nothing to leave out
-                draft, marked = figure.completed(base.copied(), kind, most)
+                draft, marked = figure.completed(base.copied() if most else base, kind, most)
                 yield draft
 
 

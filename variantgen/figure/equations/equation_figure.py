@@ -84,7 +84,7 @@ def _tries(bodies: BodyBoard, named: Vectors, equation: PointEquation, arrows: S
         marked = MOST_ANGLES + 1
         for most in (MOST_ANGLES, 2, 0) if number == 0 else (0,):
             if most < marked:  # else there is nothing to leave out
-                board = base.copied()
+                board = base.copied() if most else base
                 marked = draw_geometry(board, bodies.subject, named.symbols, most)
                 draw_axes(board, board.sketch.at[equation.point], axes, longest)
                 yield board.draft(_COLUMN if marked else math.inf)

@@ -167,9 +167,10 @@ def _draw_sides(
     sketch = board.sketch
     at, ways = sketch.at[key], [side / abs(side) for side in sides]
     taken = [way for way in ways if sketch.is_taken(key, way, math.radians(2))]
-    seen = dict(zip(taken, _carried(sketch, [at + radius * part * way for way in taken for part in _ON_SIDE])))
+    carried = _carried(sketch, [at + radius * part * way for way in taken for part in _ON_SIDE])
+    seen = {way for way, is_carried in zip(taken, carried, strict=True) if is_carried}
     for way in ways:
-        if not seen.get(way):
+        if way not in seen:
             ends = [link for link in links if abs(link) > radius and abs(cmath.phase(link / way)) < _SAME]
             sketch.path((at, at + (max(ends, key=abs) if ends else (radius + _BEYOND) * way)), Layer.GROUND, THIN)
 

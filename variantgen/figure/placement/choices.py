@@ -67,7 +67,7 @@ def resolve_overlaps(choices: Sequence[LabelChoice], first: Iterable[int]) -> se
     if not pending:
         return conflicts
     standing = _Standing(choices)
-    least = {}
+    least: dict[int, float] = {}
     for _ in range(_SWEEPS):
         before = [choice.taken for choice in choices]
         least |= {i: -float(np.minimum.reduce(choices[i].costs)) for i in pending if i not in least}

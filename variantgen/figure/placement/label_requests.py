@@ -174,7 +174,7 @@ def along_arrow(formula: Formula, start: complex, end: complex) -> LabelRequest:
     way = step / abs(step)
     x, y = abs(way.real), abs(way.imag)
     aside, ahead = 0.5 * (width * y + height * x), 0.5 * (width * x + height * y)
-    places = start + way * (_BY_ARROW @ np.array([abs(step), aside, ahead, 1.0], dtype=complex))
+    places: Places = start + way * (_BY_ARROW @ np.array([abs(step), aside, ahead, 1.0], dtype=complex))
     extent = tuple(start + part * step for part in (0.0, 0.25, 0.5, 0.75))
     return LabelRequest(formula, end, places, _ARROW_COSTS, extent, vector=True, further=(start + _ON_SHAFT * step,))
 
@@ -186,8 +186,8 @@ def along_arc(
     width, height = label_size(formula)
     ways = [cmath.rect(1.0, start + part * sweep) for part in _ARC_PARTS]
     supports = [[0.5 * (width * abs(way.real) + height * abs(way.imag))] for way in ways]
-    directions = np.array(ways)
-    places = centre + directions[:, None] * (radius + _ARC_RINGS + supports)
+    directions: Places = np.array(ways)
+    places: Places = centre + directions[:, None] * (radius + _ARC_RINGS + supports)
     middle = centre + radius * ways[0]
     extent = tuple(centre + cmath.rect(radius, start + part * sweep) for part in (0.0, 0.25, 0.75, 1.0))
     found, costs = places.ravel(), _ARC_COSTS

@@ -46,14 +46,14 @@ class MisleadingPlaces:
             arrow_of.append(-1 if arrow is None else len(arrows[number]))
             if arrow is not None:
                 arrows[number].append(arrow)
-        # Those of arrows and lines first; shape (points, figures), since numpy is quick along the last axis.
+        # What each label names, and the strangers of its figure, those on arrows and lines first; shape (points, labels),
+        # since numpy is quick along the last axis.
+        self._own = _columns([r.own for r in requests])
         self._extended = max(map(len, extended))
-        self._points = np.concatenate((_columns(extended), _columns(points)))
-        # Shape (places of a label, labels).
-        own = _columns([r.own for r in requests])
+        every = np.concatenate((_columns(extended), _columns(points)))[:, figure]
         # A stranger at the very place that a label names is no stranger.
-        of_label = self._points[:, figure]
-        self._own = np.logical_or.reduce([np.abs(of_label - places) < 1e-6 for places in own])
+        mine = np.logical_or.reduce([np.abs(every - places) < 1e-6 for places in self._own])
+        self._strangers = np.where(mine, _AWAY, every)
         self._clear = np.array([r.clear + _OWN for r in requests])
         self._half_width, self._half_height = np.array([r.box for r in requests]).T
         self._is_extended = np.array([bool(r.extent) for r in requests])
@@ -67,16 +67,14 @@ class MisleadingPlaces:
         It is nearer to a foreign point (or a foreign arrow) than to what the label names, or a line runs between.
         """
         figure = self._figure[owner]
-        steps = self._points[:, figure] - places
-        squares = steps.real**2 + steps.imag**2
-        mine = self._own[:, owner]
-        own = np.where(mine, squares, np.inf)
-        nearest = np.minimum.reduce(own, axis=0)
-        way = steps[own.argmin(axis=0), np.arange(len(places))]
+        steps = self._own[:, owner] - places
+        squares = _squares(steps)
+        nearest = np.minimum.reduce(squares, axis=0)
+        way = steps[squares.argmin(axis=0), np.arange(len(places))]
         way *= np.maximum(0.0, 1.0 - self._clear[owner] / np.sqrt(nearest))
         between = places + _BETWEEN * way
         inked = self._occupancy.taken(between, 0.05, 0.05, figure)
-        squares[mine] = np.inf
+        squares = _squares(self._strangers[:, owner] - places)
         foreign = np.minimum.reduce(squares[: self._extended], axis=0, initial=np.inf)
         other = np.minimum.reduce(squares[self._extended :], axis=0, initial=np.inf)
         result: Costs = _STRANGER * (np.minimum(foreign, other) < nearest)
@@ -99,6 +97,11 @@ class MisleadingPlaces:
         gaps[at] = np.inf
         found[of] = np.minimum.reduce(gaps, axis=0) < own + _PLAINLY
         return found
+
+
+def _squares(steps: Places) -> NDArray[np.float64]:
+    result: NDArray[np.float64] = steps.real**2 + steps.imag**2
+    return result
 
 
 def _columns(places: Sequence[Sequence[complex]]) -> Places:

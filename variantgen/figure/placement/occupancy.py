@@ -79,12 +79,12 @@ class Occupancy:
 
 
 def _samples(start: Places, end: Places) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.intp]]:
-    """x and y of points along all segments, nearer to each other than a cell, and how many each segment has."""
+    """Points (x and y) along all segments, nearer to each other than a cell, and how many each segment has."""
     step = end - start
     count = (np.abs(step) / (_STEP * CELL)).astype(np.intp) + 2
     ends = count.cumsum()
-    part = np.arange(ends[-1]) - (ends - count).repeat(count)
-    part = part / (count - 1).repeat(count)
+    number = np.arange(ends[-1]) - (ends - count).repeat(count)
+    part = number / (count - 1).repeat(count)
     x = start.real.repeat(count) + part * step.real.repeat(count)
     y = start.imag.repeat(count) + part * step.imag.repeat(count)
     return x, y, count
