@@ -10,6 +10,7 @@ from typing import Any, Protocol
 from msgspec import Struct
 
 from variantgen.builder.build_spec import BuildSpec, WorkerContext, worker_context
+from variantgen.builder.kept import KeptParts
 from variantgen.exam.allocation import DrawRequest
 from variantgen.exam.content import Content
 from variantgen.exam.exam_file import Exam
@@ -45,14 +46,43 @@ def perform(spec: BuildSpec, job: Job) -> Any:
             raise VerificationError(f"{error} (seed {setting.exam.seed})") from error
 
 
+class Made(Protocol):
+    """What a job has made."""
+
+    def keep(self, kept: KeptParts, place: Any) -> Any:
+        """Put it to the finished parts; what the main process has to know of it."""
+
+
+class KeepJob(Struct, frozen=True):
+    """A job whose worker keeps what it has made, at a place among the finished parts, and hands back the rest."""
+
+    job: Job
+    kept: KeptParts
+    place: Any
+
+    def run(self, setting: WorkerContext) -> Any:
+        """Do it and keep it."""
+        made: Made = self.job.run(setting)
+        return made.keep(self.kept, self.place)
+
+
+class Compared(Struct, frozen=True):
+    """What is compared of some variants, and how many were drawn again for the exam's ceiling of tolerances."""
+
+    traits: Traits
+    cut: int
+
+
 class DrawnProblems(Struct, frozen=True):
-    """Packed problems by parts of students, what is compared of their variants, and how many were drawn again for the
-    exam's ceiling of tolerances.
-    """
+    """Packed problems by parts of students, and what is compared of their variants."""
 
     parts: tuple[bytes, ...]
-    traits: Traits
-    cut: int = 0
+    compared: Compared
+
+    def keep(self, kept: KeptParts, place: tuple[int, int]) -> Compared:
+        """Keep the problems as the first draws of the students from a place on, of a problem."""
+        kept.put_drawn(*place, self.parts)
+        return self.compared
 
 
 class DrawJob(Struct, frozen=True):
@@ -67,7 +97,8 @@ class DrawJob(Struct, frozen=True):
         parts = [items[i : i + STUDENTS_PER_PART] for i in range(0, len(items), STUDENTS_PER_PART)]
         packed = tuple(pack(setting.exam, part) for part in parts)
         drawer = setting.drawer
-        return DrawnProblems(packed, drawer.traits(self.requests, variants), drawer.cut(self.requests, variants))
+        traits, cut = drawer.traits(self.requests, variants), drawer.cut(self.requests, variants)
+        return DrawnProblems(packed, Compared(traits, cut))
 
 
 class CompareJob(Struct, frozen=True):
@@ -103,6 +134,10 @@ class RenderedChunk(Struct, frozen=True):
     pieces: tuple[tuple[str, Fragment], ...]
     unexplained: tuple[str, ...] = ()
 
+    def keep(self, kept: KeptParts, place: int) -> None:
+        """Keep the pieces."""
+        kept.put_made(place, self.pieces, self.unexplained)
+
 
 class RenderJob(Struct, frozen=True):
     """All outputs of a few students, or one overview of one format.
@@ -137,6 +172,17 @@ def _records(part: Chunk) -> Iterator[Fragment]:
     """What every build has, whatever its formats are."""
     yield Fragment("key.csv", key_rows(part.sheets).encode())
     yield Fragment("manifest.json", manifest_lines(part.exam, part.sheets).encode())
+
+
+class CallJob(Struct, frozen=True):
+    """A function of a module, applied to files that are on the disk of all workers."""
+
+    function: Callable[[Any], Any]
+    given: Any
+
+    def run(self, setting: WorkerContext) -> Any:
+        """Call it."""
+        return self.function(self.given)
 
 
 @contextmanager
