@@ -159,16 +159,14 @@ def _make_all(
     sizes = {i: min(STUDENTS_PER_PART, count - i * STUDENTS_PER_PART) for i in range(last + 1)}  # overviews have none
     done = count - sum(sizes.get(number, 0) for number in missing)
     progress("typesetting", done, count)
-    todo = (
-        (
-            number,
-            RenderJob(
-                tuple(sheets.packed(part) for part in chosen), sheets.beginning(chosen), chosen.start == 0, summary
-            ),
-        )
-        for number, (chosen, summary) in (listed[number] for number in missing)
-    )
-    for number, _ in run_and_keep(workers, spec, parts.kept, todo):
+    there = workers.share_disk
+
+    def todo() -> Iterator[tuple[int, RenderJob]]:
+        for number, (chosen, summary) in (listed[number] for number in missing):
+            packed = tuple(sheets.packed(part, where_kept=there) for part in chosen)
+            yield number, RenderJob(packed, sheets.beginning(chosen), chosen.start == 0, summary)
+
+    for number, _ in run_and_keep(workers, spec, parts.kept, todo()):
         done += sizes.get(number, 0)
         progress("typesetting", done, count)
     return len(listed) - len(missing)

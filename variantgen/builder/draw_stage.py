@@ -9,7 +9,8 @@ import numpy as np
 from msgspec.structs import replace
 
 from variantgen.builder.build_spec import BuildSpec
-from variantgen.builder.jobs import STUDENTS_PER_DRAW, CompareJob, DrawJob
+from variantgen.builder.jobs import CompareJob, DrawJob
+from variantgen.builder.kept import STUDENTS_PER_DRAW
 from variantgen.builder.unfinished import Unfinished
 from variantgen.builder.workers import Workers, run_and_keep
 from variantgen.exam.allocation import (

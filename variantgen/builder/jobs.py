@@ -10,7 +10,7 @@ from typing import Any, Protocol
 from msgspec import Struct
 
 from variantgen.builder.build_spec import BuildSpec, WorkerContext, worker_context
-from variantgen.builder.kept import KeptParts
+from variantgen.builder.kept import KeptParts, KeptProblem
 from variantgen.exam.allocation import DrawRequest
 from variantgen.exam.content import Content
 from variantgen.exam.exam_file import Exam
@@ -22,10 +22,6 @@ from variantgen.outputs.formats import STUDENTS_PER_PART, Chunk, Fragment, forma
 from variantgen.variants.attempts import VerificationError
 from variantgen.variants.similarity import Traits
 
-# Variants of one problem that are drawn together share the price of a batch. Always the same number, so that numbers do
-# not depend, in their last bit, on how the work was split.
-STUDENTS_PER_DRAW = 12 * STUDENTS_PER_PART
-
 
 class Job(Protocol):
     """Some work of a build."""
@@ -35,7 +31,7 @@ class Job(Protocol):
 
 
 def perform(spec: BuildSpec, job: Job) -> Any:
-    """Do a job in this process; executors are given this function.
+    """Do a job in this process.
 
     Raises VerificationError, with the seed, where two computations of a variant disagree.
     """
@@ -114,14 +110,16 @@ class CompareJob(Struct, frozen=True):
 
 
 class PackedChunk(Struct, frozen=True):
-    """Some students with the codes of their sheets, and their packed problems: each problem for all of them."""
+    """Some students with the codes of their sheets, and their packed problems: each problem for all of them, or where
+    it is kept.
+    """
 
     students: tuple[tuple[Student, str], ...]
-    problems: tuple[bytes, ...]
+    problems: tuple[bytes | KeptProblem, ...]
 
     def sheets(self, exam: Exam) -> tuple[Sheet, ...]:
         """Their sheets."""
-        problems = [unpack(exam, packed) for packed in self.problems]
+        problems = [unpack(exam, one.read() if isinstance(one, KeptProblem) else one) for one in self.problems]
         return tuple(
             Sheet(student, code, items)
             for (student, code), items in zip(self.students, zip(*problems, strict=True), strict=True)

@@ -13,9 +13,13 @@ from typing import Any
 
 from msgspec import Struct
 
-from variantgen.builder.folder_lock import DRAWN, MADE, PIECE
+from variantgen.builder.folder_lock import CHANGED, DRAWN, MADE, PIECE
 from variantgen.builder.sealed import DamagedError, digest, digest_of, read, write
-from variantgen.outputs.formats import Fragment, is_target
+from variantgen.outputs.formats import STUDENTS_PER_PART, Fragment, is_target
+
+# Variants of one problem that are drawn together share the price of a batch. Always the same number, so that numbers do
+# not depend, in their last bit, on how the work was split.
+STUDENTS_PER_DRAW = 12 * STUDENTS_PER_PART
 
 
 class StoredChunk(Struct, frozen=True):
@@ -46,6 +50,14 @@ class KeptParts(Struct, frozen=True):
             parts.append(content[place + 4 : end])
             place = end
         return parts
+
+    def put_changed(self, part: int, problem: int, content: bytes) -> None:
+        """Keep a problem of a part in which somebody drew again."""
+        write(self.folder, _changed(part, problem), content, self.key)
+
+    def changed(self, part: int, problem: int) -> bytes:
+        """A problem of a part in which somebody drew again. Raises DamagedError if it is not there."""
+        return read(self.folder, _changed(part, problem), self.key)
 
     def put_made(self, number: int, pieces: Sequence[tuple[str, Fragment]], unexplained: Sequence[str]) -> None:
         """Keep the pieces of a part by format."""
@@ -99,5 +111,31 @@ def checked(content: bytes, is_right: Callable[[dict[str, Any]], bool], name: st
     raise DamagedError(f"a part of the build is none of its own ({name}); --resume makes it again")
 
 
+class KeptProblem(Struct, frozen=True):
+    """A packed problem of a part where it is kept: as it was drawn first, or ``changed``."""
+
+    kept: KeptParts
+    part: int
+    problem: int
+    changed: bool
+
+    def read(self) -> bytes:
+        """The problem. Raises DamagedError if it is not there."""
+        if self.changed:
+            return self.kept.changed(self.part, self.problem)
+        start, inside = among_drawn(self.part)
+        return self.kept.drawn(start, self.problem)[inside]
+
+
+def among_drawn(part: int) -> tuple[int, int]:
+    """The first of the students who are drawn together with those of a part, and the place of the part among theirs."""
+    inside = part * STUDENTS_PER_PART % STUDENTS_PER_DRAW
+    return part * STUDENTS_PER_PART - inside, inside // STUDENTS_PER_PART
+
+
 def _drawn(start: int, problem: int) -> str:
     return f"{DRAWN}/{start:07}-{problem}"
+
+
+def _changed(part: int, problem: int) -> str:
+    return f"{CHANGED}/{part:07}-{problem}"

@@ -32,11 +32,9 @@ from variantgen.builder.folder_lock import (
     empty,
     locked_folder,
 )
-from variantgen.builder.jobs import STUDENTS_PER_DRAW
-from variantgen.builder.kept import KeptParts, checked
+from variantgen.builder.kept import KeptParts, KeptProblem, among_drawn, checked
 from variantgen.builder.sealed import DamagedError, read, write
 from variantgen.errors import InputError, Problem, VariantgenError
-from variantgen.outputs.formats import STUDENTS_PER_PART
 
 _NO_KEY = b""  # of the plan itself
 
@@ -171,20 +169,20 @@ class Unfinished:
 
     def put_changed(self, part: int, problem: int, content: bytes) -> None:
         """Keep a problem of a part in which somebody drew again."""
-        write(self.folder, _changed(part, problem), content, self._key)
+        self.kept.put_changed(part, problem, content)
         self._changed.add((part, problem))
 
     def problem(self, part: int, problem: int) -> bytes:
         """A packed problem of a part as it is now."""
         if (part, problem) in self._changed:
-            return read(self.folder, _changed(part, problem), self._key)
+            return self.kept.changed(part, problem)
         return self.first(part, problem)
+
+    def kept_problem(self, part: int, problem: int) -> KeptProblem:
+        """Where a packed problem of a part is."""
+        return KeptProblem(self.kept, part, problem, (part, problem) in self._changed)
 
     def first(self, part: int, problem: int) -> bytes:
         """A packed problem of a part as it was drawn first."""
-        inside = part * STUDENTS_PER_PART % STUDENTS_PER_DRAW
-        return self._framed(part * STUDENTS_PER_PART - inside, problem)[inside // STUDENTS_PER_PART]
-
-
-def _changed(part: int, problem: int) -> str:
-    return f"{CHANGED}/{part:07}-{problem}"
+        start, inside = among_drawn(part)
+        return self._framed(start, problem)[inside]

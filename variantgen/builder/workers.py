@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 import os
+import pickle
 import signal
 import sys
 import threading
@@ -76,7 +77,8 @@ class PoolWorkers(Struct, frozen=True):
         pending: dict[Future[Any], _Key] = {}
         try:
             for key, job in jobs:
-                pending[self.executor.submit(perform, spec, job)] = key
+                # Pickled here: process pools ask a table in Python about every object that they pickle.
+                pending[self.executor.submit(_perform, pickle.dumps((spec, job)))] = key
                 while len(pending) >= self.ahead:
                     yield from self._ready(pending)
             while pending:
@@ -136,6 +138,11 @@ def in_order_by(
         while following in early:
             yield early.pop(following)
             following += 1
+
+
+def _perform(pickled: bytes) -> Any:
+    """Do a job of a build; executors are given this function."""
+    return perform(*pickle.loads(pickled))  # noqa: S301  (from the process that has sent the job)
 
 
 def _is_loss(error: Exception) -> bool:

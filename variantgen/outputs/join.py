@@ -104,7 +104,7 @@ class _Whole:
 
     def take(self, body: Body, written: WrittenBody) -> None:
         """Take the next body."""
-        self._writer.append(body.file, body.first, written.rows)
+        self._writer.append(body.file, body.first, written.rows, written.digest)
         body.file.unlink()
         self._nodes += written.nodes
         self._bookmarks += written.bookmarks

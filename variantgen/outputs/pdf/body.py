@@ -42,11 +42,12 @@ class Body(Struct, frozen=True):
 
 
 class WrittenBody(Struct, frozen=True):
-    """What the whole has to know of a body: where its objects are, the nodes of the tree of pages with the number of
-    their pages, the bookmarks, the number of pages from each to the next, and what is of the structure.
+    """What the whole has to know of a body: where its objects are, a digest of them, the nodes of the tree of pages and
+    how many pages each has, the bookmarks, the number of pages from each to the next, and what is of the structure.
     """
 
     rows: NDArray[Any]
+    digest: bytes
     nodes: list[tuple[int, int]]
     bookmarks: list[Bookmark]
     lengths: list[int]
@@ -87,7 +88,7 @@ def write_body(body: Body) -> WrittenBody:
     rows = writer.rows()
     if len(rows) > body.room or (structure and structure.next_key > body.first + body.room):
         raise ValueError(f"no room for the objects of {body.parts[0].name}: {len(rows)} in place of {body.room}")
-    return WrittenBody(rows, nodes, bookmarks, lengths, found)
+    return WrittenBody(rows, writer.digest, nodes, bookmarks, lengths, found)
 
 
 def _write_pages(part: PageCopier, writer: ObjectWriter, root: int, even: bool) -> tuple[int, int]:

@@ -38,7 +38,7 @@ class ObjectWriter:
 
     def __init__(self, file: BinaryIO, first: int, packed: bool) -> None:
         self._file, self._first, self._packed = file, first, packed
-        self._size = 0
+        self._size, self._digest = 0, hashlib.sha256()
         self._kind, self._at, self._place = array("B"), array("Q"), array("H")  # by number, from the first on
         self._waiting: list[tuple[int, bytes]] = []
 
@@ -86,6 +86,11 @@ class ObjectWriter:
         self._waiting.clear()
         self.put_stream(number, entries, data)
 
+    @property
+    def digest(self) -> bytes:
+        """A digest of what has been written until now."""
+        return self._digest.digest()
+
     def rows(self) -> NDArray[Any]:
         """Where all numbers from the first on are, shape (N,): rows of the table of the file."""
         found = np.empty(len(self._kind), _ROW)
@@ -103,6 +108,7 @@ class ObjectWriter:
     def _write(self, data: bytes) -> None:
         self._file.write(data)
         self._size += len(data)
+        self._digest.update(data)
 
 
 class PdfWriter(ObjectWriter):
@@ -110,7 +116,6 @@ class PdfWriter(ObjectWriter):
 
     def __init__(self, file: BinaryIO, version: str) -> None:
         super().__init__(file, 0, is_packed(version))
-        self._digest = hashlib.sha256()
         self._others: list[tuple[int, NDArray[Any]]] = []
         self.reserve()  # no object has the number zero
         self._write(b"%%PDF-%s\n" % version.encode() + _BINARY)
@@ -118,15 +123,17 @@ class PdfWriter(ObjectWriter):
     @property
     def name(self) -> bytes:
         """A digest of what has been written until now, in hexadecimal digits."""
-        return self._digest.hexdigest()[:32].encode()
+        return self.digest.hex()[:32].encode()
 
-    def append(self, path: Path, first: int, rows: NDArray[Any]) -> None:
+    def append(self, path: Path, first: int, rows: NDArray[Any], digest: bytes) -> None:
         """Take a file of objects that an :class:`ObjectWriter` has written, with reserved numbers from ``first`` on."""
         rows["at"][rows["kind"] == _ALONE] += self._size
         self._others.append((first, rows))
+        self._digest.update(digest)
         with path.open("rb") as file:
             while block := file.read(_BLOCK):
-                self._write(block)
+                self._file.write(block)
+                self._size += len(block)
 
     def finish(self, root: int, info: int | None) -> None:
         """Write where everything is; ``root`` is the catalogue, ``info`` the document information."""
@@ -155,7 +162,3 @@ class PdfWriter(ObjectWriter):
         for first, rows in self._others:
             found[first : first + len(rows)] = rows
         return found
-
-    def _write(self, data: bytes) -> None:
-        super()._write(data)
-        self._digest.update(data)
