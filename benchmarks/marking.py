@@ -25,8 +25,8 @@ import numpy as np
 from benchmarks.copied_sheets import altered, neighboured
 from benchmarks.dropped_terms import planted_anew
 from benchmarks.planted_answers import planted, spelled, width_of, written
+from variantgen.exam.sections.tolerance import Tolerance
 from variantgen.exam.sheets import Answer, answer_variants
-from variantgen.exam.tolerance import Tolerance
 from variantgen.families.asking import read_ask
 from variantgen.families.reading.folders import family_names
 from variantgen.families.reading.load import load_family

@@ -13,7 +13,7 @@ from variantgen.builder.draw_stage import draw_all
 from variantgen.builder.stored import StoredSheets
 from variantgen.builder.unfinished import unfinished
 from variantgen.builder.workers import InlineWorkers
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.typst.typesetter import typesetter

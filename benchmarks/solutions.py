@@ -27,7 +27,8 @@ from benchmarks.measure import Clock, machine_line, write_beside
 from benchmarks.sheets import drawn_sheets
 from variantgen.builder import build
 from variantgen.exam.content import Content, PosedProblem, Written, with_figures
-from variantgen.exam.exam_file import Exam, read_exam
+from variantgen.exam.exam import Exam
+from variantgen.exam.exam_file import read_exam
 from variantgen.exam.roster import numbered
 from variantgen.exam.sheets import Sheet, solve_all
 from variantgen.families.reading.folders import family_names

@@ -11,8 +11,8 @@ import numpy as np
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam.answer_tolerances import AnswerTolerances
+from variantgen.exam.sections.tolerance import Tolerance
 from variantgen.exam.sheets import Answer, answer_variants
-from variantgen.exam.tolerance import Tolerance
 from variantgen.families.asking import check_ask, read_ask
 from variantgen.families.quantities import Quantity, motion_order
 from variantgen.families.reading.load import load_family

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.outputs.formats import read_exam
 
 # Without bands of work, which take most of the time of a draw.

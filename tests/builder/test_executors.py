@@ -22,7 +22,7 @@ from variantgen.builder.build_spec import OtherVersionError
 from variantgen.builder.workers import PoolWorkers, local_workers
 from variantgen.cli import main
 from variantgen.errors import InputError
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.roster import numbered
 from variantgen.skeletons import new_family
 

@@ -13,7 +13,9 @@ import pytest
 from tests.package_copy import PackageCopy
 
 # Of each new kind: its folders, the file that is copied, its own name, the names of the classes.
+_WHEEL = ("mechanism/joints", "figure/symbols", "figure/alt_text/kinds", "methods/coordinates/equations")
 ADDED = [
+    ((*_WHEEL, "methods/groups/contact_laws"), "rolling", "trundling", "Rolling", "Trundling"),
     (("mechanism/joints", "figure/symbols", "methods/coordinates/equations"), "guide", "rail", "Guide", "Rail"),
     (("mechanism/drivers", "figure/symbols", "methods/coordinates/equations"), "rotation", "spin", "Rotation", "Spin"),
     (("mechanism/constructions", "methods/geometry/placing"), "fraction", "middle", "SegmentFraction", "Middle"),
@@ -26,7 +28,7 @@ PHRASES = {
 
 @pytest.fixture(scope="module")
 def added(tmp_path_factory: pytest.TempPathFactory) -> PackageCopy:
-    copy = PackageCopy.of(tmp_path_factory.mktemp("package"), ["slider_crank", "four_bar"])
+    copy = PackageCopy.of(tmp_path_factory.mktemp("package"), ["slider_crank", "four_bar", "wheel_with_rod"])
     for folders, old, new, old_class, new_class in ADDED:
         for folder in folders:
             text = (copy.root / "variantgen" / folder / f"{old}.py").read_text("utf-8")
@@ -37,10 +39,11 @@ def added(tmp_path_factory: pytest.TempPathFactory) -> PackageCopy:
     copy.replace("catalog/slider_crank/family.toml", "{ guide =", "{ rail =")
     copy.replace("catalog/slider_crank/family.toml", "{ rotation =", "{ spin =")
     copy.replace("catalog/four_bar/family.toml", "{ fraction =", "{ middle =")
+    copy.replace("catalog/wheel_with_rod/family.toml", "\nrolling =", "\ntrundling =")
     return copy
 
 
-@pytest.mark.parametrize("family", ["slider_crank", "four_bar"])
+@pytest.mark.parametrize("family", ["slider_crank", "four_bar", "wheel_with_rod"])
 def test_families_that_use_them_are_right(added: PackageCopy, family: str) -> None:
     checked = added.run("check", family)
     assert checked.returncode == 0, checked.stdout + checked.stderr
@@ -64,6 +67,11 @@ def test_solutions_go_from_group_to_group(added: PackageCopy) -> None:
         "--explain",
     )
     assert re.search(r"AM = AB ?/ ?2", halved.stdout), halved.stdout + halved.stderr
+
+
+def test_a_wheel_on_the_ground_turns_about_its_contact(added: PackageCopy) -> None:
+    solved = added.run("solve", "wheel_with_rod", "--seed", "1", "--explain")
+    assert "The wheel rolls without slip; the contact P is its instantaneous centre" in solved.stdout, solved.stderr
 
 
 def test_sheets_show_and_tell_them(added: PackageCopy) -> None:

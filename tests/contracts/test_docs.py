@@ -5,7 +5,8 @@ from __future__ import annotations
 import argparse
 import re
 import shlex
-from itertools import pairwise
+import tomllib
+from itertools import chain, pairwise
 from pathlib import Path
 
 import pytest
@@ -20,6 +21,7 @@ from variantgen.families.restrict import restrict
 from variantgen.figure.views import view_names
 from variantgen.outputs.figures import back_ends
 from variantgen.outputs.formats import FORMATS, chosen, format_of, parse_exam
+from variantgen.resources import catalog_dir
 from variantgen.tables import Table
 from variantgen.variants import draw, seeding
 
@@ -34,6 +36,7 @@ FENCE = re.compile(r"^```([^\n]*)\n(.*?)^```", re.DOTALL | re.MULTILINE)
 SPAN = re.compile(r"`([^`\n]+)`")
 # Files of the project are named from its root; what a build makes is named otherwise.
 PATH = re.compile(r"(?:variantgen|templates|catalog|tests|benchmarks|docs|\.ci)/[\w./<>*-]*")
+MODULE = re.compile(r"[\w.]+(?:/\w+)+\.(?:py|typ)")  # in short, those of the program may be named from their package
 PYTHON = re.compile(r"`(variantgen/[\w/]+\.py)`:((?:,? (?:and )?`[\w.]+`)+)")
 LINK = re.compile(r"\]\(([^)\s]+)\)|<img src=\"([^\"]+)\"")
 
@@ -128,6 +131,8 @@ def test_exam_files_are_read(name: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_paths_exist(name: str) -> None:
     for span in SPAN.findall(BY_NAME[name]):
+        if MODULE.fullmatch(span):
+            assert any((folder / span).exists() for folder in (ROOT, ROOT / "variantgen")), f"{name}: {span}"
         if PATH.fullmatch(span):
             pattern = re.sub(r"<\w+>", "*", span).rstrip("/")
             assert any(ROOT.glob(pattern)), f"{name}: {span}"
@@ -152,9 +157,12 @@ def anchors(text: str) -> set[str]:
     return {re.sub(r"[^\w\- ]", "", head.lower()).replace(" ", "-") for head in heads}
 
 
-@pytest.mark.parametrize("name", NAMES)
+OTHERS = [ROOT / "CHANGELOG.md", *sorted((ROOT / "benchmarks").rglob("*.md")), *sorted((ROOT / "tests").rglob("*.md"))]
+
+
+@pytest.mark.parametrize("name", [*NAMES, *(path.relative_to(ROOT).as_posix() for path in OTHERS)])
 def test_links_lead_somewhere(name: str) -> None:
-    for groups in LINK.findall(prose(BY_NAME[name])):
+    for groups in LINK.findall(prose((ROOT / name).read_text("utf-8"))):
         target = "".join(groups)
         if re.match("https?:", target):
             continue
@@ -205,6 +213,72 @@ def test_pictures_are_small() -> None:
     sizes = {path.name: path.stat().st_size for path in (ROOT / "docs" / "pictures").iterdir()}
     assert sizes.keys() > set(PICTURES)
     assert not {name for name, size in sizes.items() if size > 100_000} - set(PICTURES)
+
+
+def test_commands_stand_in_blocks_for_a_shell() -> None:
+    """Where they are tried by these tests."""
+    for name, text in BY_NAME.items():
+        assert not [block for block in blocks(text, "") if re.search("^(variantgen|pip) ", block, re.MULTILINE)], name
+
+
+def test_the_families_are_counted() -> None:
+    written = re.search(r"\*\*([A-Z][a-z]+)(?:-([a-z]+))? families\*\*", BY_NAME["README.md"])
+    assert written
+    tens = ("Twenty", "Thirty", "Forty", "Fifty", "Sixty", "Seventy", "Eighty", "Ninety")
+    ones = (None, "one", "two", "three", "four", "five", "six", "seven", "eight", "nine")
+    count = 10 * (tens.index(written[1]) + 2) + ones.index(written[2])
+    assert count == sum((catalog_dir() / name).is_dir() for name in family_names())
+
+
+def test_packages_and_extras_are_named() -> None:
+    """All dependencies in the README; in the guides the extras that an instructor may want."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+    ours = ("test", "dev", "bench")
+    extras = {name: wanted for name, wanted in project["optional-dependencies"].items() if name not in ours}
+    readme = BY_NAME["README.md"].partition("## Dependencies")[2].lower()
+    for package in (*project["dependencies"], *chain.from_iterable(extras.values())):
+        assert re.split("[>=<]", package)[0].lower() in readme, package
+    for name in extras:
+        assert f"`{name}`" in readme
+        assert all(f"`{name}`" in BY_NAME[guide] for guide in GUIDES), name
+
+
+def rows_of(name: str) -> dict[str, list[str]]:
+    """The rows of the tables of a page by their first cell."""
+    lines = (ROOT / "benchmarks" / name).read_text("utf-8").splitlines()
+    cells = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines if line.startswith("| ")]
+    return {first: rest for first, *rest in cells}
+
+
+def test_numbers_that_pages_tell_are_those_of_the_tables() -> None:
+    """What a page says of a table that a benchmark has made anew since."""
+    figures = (ROOT / "benchmarks" / "figures.md").read_text("utf-8")
+    found = re.search(r"^(\d+) of (\d+) labels have a leader", figures, re.MULTILINE)
+    assert found
+    led, labels = map(int, found.groups())
+    total = int(rows_of("figures.md")["all"][1])
+    fair = rows_of("fairness.md")
+    (median, fair_median), (most, fair_most) = (
+        fair[f"sheets of five forms, negative numbers differ by, {what}"] for what in ("median", "most")
+    )
+    marking = (ROOT / "benchmarks" / "marking.md").read_text("utf-8")
+    copied = re.search(r"neighbour is named: (\d+ of \d+);.* taken for a neighbour's: 0 of (\d+)", marking)
+    assert copied
+    chance, tried = map(int, rows_of("marking.md")["all"][-1].split(" of "))
+    told = {
+        "outputs": (f"{total:,} figures with {labels:,} labels".replace(",", " "), f"{led / labels:.1%} of the labels"),
+        "fairness": (
+            f"differ by {float(fair['operations max/min, median'][0]):.1f} in operations in the median of the",
+            f"by {fair['operations max/min, worst'][0]} in the worst",
+            f"up to {fair['negative numbers differ by, most'][0]} negative numbers",
+            f"by {fair_median} in the median and {fair_most} in the worst, left to chance by {median} and {most}.",
+        ),
+        "marking": (f"{copied[1]}; none of {copied[2]} problems", f"{chance / tried:.1%} happen to agree"),
+    }
+    for page, sentences in told.items():
+        text = " ".join(BY_NAME[f"docs/{page}.md"].split())
+        for sentence in sentences:
+            assert sentence.replace("%", " %") in text, (page, sentence)
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -12,8 +12,8 @@ from math import asin, radians
 import numpy as np
 import pytest
 
+from variantgen.exam.sections.tolerance import Tolerance
 from variantgen.exam.sheets import answer_variants
-from variantgen.exam.tolerance import Tolerance
 from variantgen.families.asking import read_ask
 from variantgen.families.reading.folders import family_names
 from variantgen.families.reading.load import load_family

@@ -10,7 +10,7 @@ from collections import Counter
 import pytest
 
 from variantgen.exam.answer_tolerances import AnswerTolerances
-from variantgen.exam.tolerance import Tolerance
+from variantgen.exam.sections.tolerance import Tolerance
 from variantgen.exam.work import work_samples
 from variantgen.exam.work.kept_work import KEPT, WorkSample
 from variantgen.exam.work.work_samples import kept_forms, kept_line, work_sample

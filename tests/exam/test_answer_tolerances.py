@@ -19,7 +19,7 @@ from variantgen.exam import answer_tolerances
 from variantgen.exam.answer_tolerances import AnswerTolerances, hand_errors
 from variantgen.exam.exam_file import read_exam
 from variantgen.exam.roster import Student, numbered
-from variantgen.exam.tolerance import Tolerance
+from variantgen.exam.sections.tolerance import Tolerance
 from variantgen.families.asking import read_ask
 from variantgen.families.parameters.draw_rules import frame
 from variantgen.families.reading.load import load_family

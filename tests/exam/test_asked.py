@@ -9,7 +9,7 @@ from msgspec.structs import replace
 
 from benchmarks.sheets import drawn_sheets
 from variantgen.errors import InputError
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.roster import numbered
 from variantgen.families.asking import read_ask
 from variantgen.outputs.formats import read_exam

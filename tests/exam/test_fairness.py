@@ -13,7 +13,8 @@ from variantgen.algebra.linear import LinearSolution
 from variantgen.algebra.name import Name
 from variantgen.errors import InputError
 from variantgen.exam.allocation import ProblemSampler
-from variantgen.exam.exam_file import Exam, parse_exam
+from variantgen.exam.exam import Exam
+from variantgen.exam.exam_file import parse_exam
 from variantgen.exam.packing import pack, unpack
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet

@@ -12,10 +12,10 @@ from benchmarks.sheets import drawn_sheets
 from tests.pdf_text import page_texts
 from variantgen.cli import main
 from variantgen.errors import InputError
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.roster import numbered
+from variantgen.exam.sections.tolerance import Tolerance
 from variantgen.exam.sheets import Sheet
-from variantgen.exam.tolerance import Tolerance
 from variantgen.outputs.formats import read_exam
 
 HEAD = 'title = "Quiz"\nlanguage = "en"\nformats = ["pdf"]\n{top}\n[solutions]\ndepth = "none"\n'

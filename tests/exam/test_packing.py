@@ -16,7 +16,7 @@ from msgspec.structs import replace
 
 from benchmarks.sheets import drawn_sheets
 from tests.builder.small_exams import exam
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.packing import PackingError, pack, unpack
 from variantgen.exam.roster import numbered
 from variantgen.exam.sheets import Answer, Item

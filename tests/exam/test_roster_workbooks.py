@@ -65,32 +65,22 @@ def far_column(text: str) -> Iterator[str]:
     yield text.replace("</sheetData>", '<row r="12"><c r="ZZZ12"><v>1</v></c></row>' * 5000 + "</sheetData>")
 
 
-def empty_rows(text: str) -> Iterator[str]:
-    head, tail = text.split("</sheetData>")
-    yield head
-    yield from repeated("<row/>", 12_000_000)
-    yield "</sheetData>" + tail
+def many(what: str, count: int, end: str) -> Callable[[str], Iterator[str]]:
+    """So many copies of something before the end of a table."""
+
+    def filled(text: str) -> Iterator[str]:
+        head, tail = text.split(end)
+        yield head
+        yield from repeated(what, count)
+        yield end + tail
+
+    return filled
 
 
-def six_million_rows(text: str) -> Iterator[str]:
-    head, tail = text.split("</sheetData>")
-    yield head
-    yield from repeated("<row/>", 6_000_000)
-    yield "</sheetData>" + tail
-
-
-def styles(text: str) -> Iterator[str]:
-    head, tail = text.split("</cellXfs>")
-    yield head
-    yield from repeated('<xf numFmtId="0"/>', 3_000_000)
-    yield "</cellXfs>" + tail
-
-
-def many_styles(text: str) -> Iterator[str]:
-    head, tail = text.split("</cellXfs>")
-    yield head
-    yield from repeated("<xf/>", 390_000)
-    yield "</cellXfs>" + tail
+empty_rows = many("<row/>", 12_000_000, "</sheetData>")
+six_million_rows = many("<row/>", 6_000_000, "</sheetData>")
+styles = many('<xf numFmtId="0"/>', 3_000_000, "</cellXfs>")
+many_styles = many("<xf/>", 390_000, "</cellXfs>")
 
 
 def run(path: Path) -> tuple[int, str, float]:

@@ -11,8 +11,8 @@ import pytest
 from msgspec.structs import replace
 
 from variantgen.errors import InputError
+from variantgen.exam.sections.tolerance import Tolerance
 from variantgen.exam.sheets import answer_variants
-from variantgen.exam.tolerance import Tolerance
 from variantgen.families.asking import check_ask, read_ask
 from variantgen.families.quantities import parse_quantity, split_name
 from variantgen.families.reading.load import load_family

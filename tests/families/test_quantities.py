@@ -9,8 +9,8 @@ import pytest
 
 from tests.joint_scenes import plate
 from variantgen.errors import InputError
+from variantgen.exam.sections.tolerance import Tolerance
 from variantgen.exam.sheets import answer_variants
-from variantgen.exam.tolerance import Tolerance
 from variantgen.families.asking import read_ask
 from variantgen.families.quantities import parse_quantity
 from variantgen.families.reading.load import load_family

@@ -10,7 +10,7 @@ import pytest
 from variantgen.check.family import check_family
 from variantgen.families.quantities import parse_quantity
 from variantgen.figure.build import statement_figure
-from variantgen.figure.drawing import Arc, Drawing, Layer, Path
+from variantgen.figure.drawing import Arc, Drawing, Layer, Path, Strokes
 from variantgen.figure.faults import inspect_labels
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.variant import Variant, solve_variants
@@ -111,3 +111,23 @@ def test_a_dimension_line_has_the_length_it_measures(seed: int) -> None:
     wanted = drawing.scale * variant.si("h")
     gaps = [abs(a - b) for i, a in enumerate(tips) for b in tips[:i]]
     assert min(abs(gap - wanted) for gap in gaps) < 1e-6
+
+
+def _crosses(arc: Arc, start: complex, end: complex) -> bool:
+    """Whether an arc crosses a short stroke: its ends are inside and outside of the circle, in the angle of the arc."""
+    inside = [abs(place - arc.centre) < arc.radius for place in (start, end)]
+    middle = np.exp(1j * (arc.start + arc.sweep / 2))
+    turns = [np.angle((place - arc.centre) / middle) for place in (start, end)]
+    return inside[0] != inside[1] and all(abs(turn) < abs(arc.sweep) / 2 for turn in turns)
+
+
+@pytest.mark.parametrize(
+    ("family", "form"), [("slider_crank_with_second_rod", "oblique"), ("two_loop_mechanism", "inclined")]
+)
+@pytest.mark.parametrize("seed", range(8))
+def test_the_arc_of_an_angle_with_a_guide_does_not_cross_its_hatching(family: str, form: str, seed: int) -> None:
+    drawing = figure(one_variant(family, form=form, seed=seed))
+    arcs = [line for line in drawing.lines if isinstance(line, Arc) and line.layer is Layer.MARK]
+    strokes = [ends for line in drawing.lines if isinstance(line, Strokes) for ends in line.segments]
+    assert arcs
+    assert not [arc for arc in arcs for stroke in strokes if _crosses(arc, *stroke)]

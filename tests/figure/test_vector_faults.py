@@ -44,10 +44,10 @@ def test_heads_on_what_belongs_to_other_points_are_found() -> None:
         return sketch.finish({})
 
     for tip in (20.5 + 0j, 20 + 19.5j):  # on the hinge; on the arrow that begins elsewhere
-        (found,) = buried_heads(drawing(tip))
+        (found,) = buried_heads(drawing(tip).lines)
         assert abs(found[1] - found[0] - tip) < 1e-9
     for tip in (17 + 0j, 20 + 17j, 1 + 11j):  # before both; beside an arrow of the same point
-        assert not buried_heads(drawing(tip))
+        assert not buried_heads(drawing(tip).lines)
 
 
 def test_a_name_nearer_to_another_arrow_is_misread() -> None:

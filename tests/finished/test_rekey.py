@@ -15,8 +15,8 @@ import pytest
 from tests.pdf_text import page_texts
 from variantgen.cli import main
 from variantgen.errors import InputError
-from variantgen.exam.exam_file import Exam
-from variantgen.exam.tolerance import Tolerance
+from variantgen.exam.exam import Exam
+from variantgen.exam.sections.tolerance import Tolerance
 from variantgen.finished import rekey as module
 from variantgen.finished.rekey import marking
 

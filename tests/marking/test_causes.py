@@ -9,7 +9,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from msgspec.structs import replace
 
-from variantgen.exam.marking_policy import CAUSES
+from variantgen.exam.sections.marking_policy import CAUSES
 from variantgen.exam.sheets import Answer
 from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import split_name

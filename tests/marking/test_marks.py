@@ -255,13 +255,17 @@ def test_a_neighbours_variant(built: Path, mark: Mark, tmp_path: Path) -> None:
     assert causes == {f"neighbour: {codes[second]}"}
 
 
-@pytest.mark.parametrize("copied", [2, 3])
-def test_a_neighbours_answers_follow_from_nothing(
-    copied: int, built: Path, mark: Mark, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Though each follows from the first: three are too many for chance, and of two the suspicion stays."""
+@pytest.fixture
+def all_follow(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Every wrong answer but the first of a sheet follows from the first."""
     granted = lambda _, students: [{place: [0] for place in wrong if place} for *_, wrong in students]  # noqa: E731
     monkeypatch.setattr(FollowThrough, "granted_to", granted)
+
+
+@pytest.mark.usefixtures("all_follow")
+@pytest.mark.parametrize("copied", [2, 3])
+def test_a_neighbours_answers_follow_from_nothing(copied: int, built: Path, mark: Mark, tmp_path: Path) -> None:
+    """Though each follows from the first: three are too many for chance, and of two the suspicion stays."""
     right = key(built)
     first, second, _ = order(built)
     names = ("v_B", "omega_AB", "a_B")[:copied]
@@ -271,13 +275,10 @@ def test_a_neighbours_answers_follow_from_nothing(
     assert all(row["cause"].startswith("neighbour: ") for row in own)
 
 
+@pytest.mark.usefixtures("all_follow")
 @pytest.mark.parametrize("altered", ["epsilon_AB", "a_B"])
-def test_one_altered_answer_hides_no_neighbour(
-    altered: str, built: Path, mark: Mark, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_one_altered_answer_hides_no_neighbour(altered: str, built: Path, mark: Mark, tmp_path: Path) -> None:
     """Three of four are enough, and the fourth neither follows from them nor is the neighbour's; two of three not."""
-    granted = lambda _, students: [{place: [0] for place in wrong if place} for *_, wrong in students]  # noqa: E731
-    monkeypatch.setattr(FollowThrough, "granted_to", granted)
     right = key(built)
     first, second, _ = order(built)
     asked = ("v_B", "omega_AB", "a_B", "epsilon_AB")

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from variantgen.errors import InputError, Problem
-from variantgen.exam.marking_policy import CAUSES, read_policy, rounded
+from variantgen.exam.sections.marking_policy import CAUSES, read_policy, rounded
 from variantgen.marking.typed_number import read_number
 from variantgen.outputs.formats import parse_exam
 from variantgen.tables import Table, parse_toml

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from variantgen.mechanism.joint import Joint, JointCircle
 from variantgen.mechanism.joints.gears import Gears
 from variantgen.mechanism.joints.pivot import Pivot
 from variantgen.mechanism.joints.rolling import Rolling
 from variantgen.mechanism.joints.rolling_on_circle import RollingOnCircle
 from variantgen.mechanism.joints.rope import Bend, Rope
-from variantgen.mechanism.rows import Joint, JointCircle, Placement
+from variantgen.mechanism.rows import Placement
 
 # C is 5 from O: a triangle with the sides 3, 4, 5.
 AT = Placement({"O": 0j, "C": 3 + 4j, "K": -2j})

@@ -9,6 +9,7 @@ from itertools import pairwise
 from typing import ClassVar
 
 import pytest
+from msgspec.structs import replace
 
 from tests.calculator import evaluate
 from tests.figure.reading import arrows, variants_of
@@ -159,7 +160,7 @@ def drawn(values: list[Value], letter: str, item: Task, chain: VectorChain) -> l
 def symbol_of(symbols: Symbols, name: Name | None) -> Symbol:
     """The symbol of the vector whose length on the plan has this name."""
     assert name is not None
-    return symbols.of(name._replace(kind=name.body, body=""))
+    return symbols.of(replace(name, kind=name.body, body=""))
 
 
 @pytest.mark.parametrize(("name", "form"), APPLYING["graphical"])

@@ -71,9 +71,28 @@ def test_the_driving_link_is_no_step_of_its_own() -> None:
 def test_a_direction_is_said_once() -> None:
     found = solution_of("slider_crank", "central", "v_B a_B").steps
     (table,) = (item for step in found for item in step.items if isinstance(item, TermTable))
-    # Those of a^n_A and a^tau_A are said where they are worked out, the senses of a_B and a^tau_BA with their reasons.
+    # Those of a^n_A and a^tau_A are said where they are worked out, the sense of a_B with its reason, and that of
+    # a^tau_BA, which nothing finds, not at all.
     assert [term.name for term in table.terms] == [Name("a", "B"), Name("a", "B", "A", "n"), Name("a", "B", "A", "tau")]
-    assert [term.way.key for term in table.terms] == ["ways.guide", "ways.towards", "ways.pointed"]
+    assert [term.way.key for term in table.terms] == ["ways.guide", "ways.towards", "ways.across"]
+
+
+@pytest.mark.parametrize("family_name", family_names())
+def test_no_side_of_a_vector_is_told_before_it_is_found(family_name: str) -> None:
+    for form_name in load_family(family_name).forms:
+        for step in solution_of(family_name, form_name).steps:
+            terms = [term for item in step.items if isinstance(item, TermTable) for term in item.terms]
+            told = {term.name for term in terms if term.size is None and "side" in term.way.facts}
+            assumed = {term.name for term in terms if term.way.key == "ways.assumed"}
+            assert told == assumed, form_name
+            assert not assumed or step.heading.key.startswith("coupled."), form_name
+
+
+def test_a_side_is_assumed_where_a_system_of_equations_is_to_find_it() -> None:
+    steps = solution_of("three_rod_plate", "").steps
+    ways = {t.name: t.way.key for s in steps for i in s.items if isinstance(i, TermTable) for t in i.terms}
+    assert ways[Name("a", "C", part="tau")] == ways[Name("a", "B", "C", "tau")] == "ways.assumed"
+    assert ways[Name("a", "B", "A", "tau")] == "ways.across", "the axis is perpendicular to it"
 
 
 def test_components_of_one_equation_are_a_vector_in_the_next() -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import asin, cos, radians, sin, sqrt
+from math import asin, cos, radians, sin, sqrt, tan
 
 import pytest
 from msgspec.structs import replace
@@ -205,6 +205,18 @@ def test_a_remote_centre_is_not_looked_for_unless_it_is_wished(phi: float, remot
     assert speed(book, "B") == pytest.approx(20 * sin(radians(phi) + psi) / cos(psi))
     assert book.omega["AB"].size.exact == pytest.approx(20 * cos(radians(phi)) / (30 * cos(psi)))
     assert ("pole.choose_v" in keys(book)) == remote
+
+
+@pytest.mark.parametrize(("phi", "beside"), [(2, True), (5, False)])
+def test_a_centre_beside_a_hinge_is_not_looked_for(phi: float, beside: bool) -> None:
+    """P is on OA, above or below B: BP is ``OB tan(phi)``, with OA = 10 and AB = 30 1.4 at 2 degrees and 3.5 at 5."""
+    psi = asin(sin(radians(phi)) / 3)
+    length = (10 * cos(radians(phi)) + 30 * cos(psi)) * tan(radians(phi))
+    assert (length < 0.07 * 30) == beside
+    book = worked_book("slider_crank", "central", "v_B omega_AB", OA=10, AB=30, phi=phi, omega_OA=2)
+    assert (("P", "AB") in book.centres) != beside
+    assert ("pole.choose_v" in keys(book)) == beside
+    assert speed(book, "B") == pytest.approx(20 * sin(radians(phi) + psi) / cos(psi))
 
 
 def test_where_only_the_velocity_is_asked_the_projections_give_it() -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from variantgen.errors import InputError
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.roster import Student
 from variantgen.outputs.typst.coverage import check_letters, missing
 from variantgen.outputs.typst.typesetter import typesetter

@@ -56,13 +56,20 @@ def test_a_row_is_broken_between_formulas_and_a_long_formula_before_its_signs() 
 
 
 def test_what_is_too_wide_is_smaller_or_takes_the_page() -> None:
-    # 26 em in 25.96 - 1.4 em, with a mark: 0.93 of its size. 40 em would have to be 0.61.
+    # 26 em in 25.96 em, with a mark: 0.99 of its size. 40 em would have to be 0.65.
     (line,) = (tight := in_lines([[("", digits(52))]], ".")).lines
     assert not tight.wide
-    assert abs(line.scale - (25.96 - 0.05 - 1.4) / 26.278) < 0.005
+    assert abs(line.scale - (25.96 - 0.05) / 26.278) < 0.005
     broad = in_lines([[("", digits(80))]], ".")
     assert broad.wide
     assert broad.lines[0].scale == 1
+
+
+def test_a_side_that_has_no_room_at_its_indent_begins_further_left_in_full_size() -> None:
+    # With its sign and the mark 1.03 + 23 + 0.28 em: at 25.96 - 0.05 - 24.31 = 1.6 em, not at 3.8.
+    _, line = in_lines([[("", digits(20)), ("=", digits(46))]], ".").lines
+    assert line.scale == 1
+    assert line.indent == pytest.approx(1.6, abs=0.01)
 
 
 def test_lines_with_fractions_have_the_room_of_their_ink() -> None:

@@ -115,7 +115,7 @@ def test_a_build_tells_phases_that_pages_know(folder: Path) -> None:
     """Each that the process tells stands in the list of phases, in their order; none is passed over."""
     (folder / "exam.toml").write_text(SMALL)
     wanted = {"exam": str(folder / "exam.toml"), "roster": "", "variants": 1, "out": str(folder / "out"), "jobs": 1}
-    command = [sys.executable, "-m", "variantgen.studio.build_process"]
+    command = [sys.executable, "-m", "variantgen.studio.building.process"]
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdin and process.stdout
         process.stdin.write(json.dumps(wanted) + "\n")

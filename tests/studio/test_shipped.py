@@ -6,13 +6,13 @@ import pytest
 
 from tests.studio.asking import Asking
 from variantgen.resources import catalog_dir
-from variantgen.studio.catalogue import cards_of, family_files
-from variantgen.studio.figures import FIRST_SEED, draw_card
-from variantgen.studio.shipped import is_current, shipped_cards, shipped_figure
+from variantgen.studio.gallery.cards import cards_of, family_files
+from variantgen.studio.gallery.figures import FIRST_SEED, draw_card
+from variantgen.studio.gallery.shipped import is_current, shipped_cards, shipped_figure
 from variantgen.studio.studio import Studio
 from variantgen.studio.words import LANGUAGES
 
-ANEW = "python -m variantgen.studio.shipping"
+ANEW = "python -m variantgen.studio.gallery.shipping"
 
 
 @pytest.mark.parametrize("family, form", [("four_bar", "crank"), ("spool", ""), ("planetary_train", "two_planets")])

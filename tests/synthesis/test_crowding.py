@@ -142,3 +142,57 @@ def test_variants_are_seen_on_which_a_link_is_at_the_end_of_a_rack() -> None:
     places = {name: np.array([z, z]) for name, z in draft.z.items()}
     places |= {name: np.array([places[name][0], places[name][0] - 12]) for name in "CD"}
     assert crossed(draft, places).tolist() == [False, True]  # 15 and 3 cm beside the end; 4 % of 155 cm are 6 cm
+
+
+@pytest.mark.parametrize(("rise", "said"), [(50, "AE over the start of a rack"), (80, "")])
+def test_no_rod_lies_over_the_start_of_a_rack(rise: float, said: str) -> None:
+    # From the slider, the rack to the right and a rod 60 cm right and 50 or 80 cm up: at 40 and 53 degrees.
+    draft = _with_rack(C=0 - 60j, D=30 - 60j)
+    draft.z["A"] = draft.z["E"] + 60 + rise * 1j
+    draft.bodies["AE"] = ["A", "E"]
+    draft.bars.append(("A", "E"))
+    assert crowded(draft) == said
+
+
+def test_variants_are_seen_on_which_a_rod_lies_over_the_start_of_a_rack() -> None:
+    draft = _with_rack(C=0 - 60j, D=30 - 60j, A=-40 + 120j)
+    draft.bodies["AE"] = ["A", "E"]
+    draft.bars.append(("A", "E"))
+    places = {name: np.array([z, z, z]) for name, z in draft.z.items()}
+    places["A"] = places["E"] + np.array([60 + 70j, 60 + 40j, -60 + 10j])  # at 49, 34, 170 degrees with the rack
+    assert crossed(draft, places).tolist() == [False, True, False]
+
+
+@pytest.mark.parametrize(("x", "said"), [(94, "G at the bearing of a yoke"), (105, "")])
+def test_nothing_is_at_the_bearing_of_a_yoke(x: float, said: str) -> None:
+    # The bearing is at S, 80 cm right; 10 % of the whole, which is 180 cm wide, are 18 cm: G is 14 and 25 cm off.
+    draft = _draft(A=0 - 40j, F=40 + 30j, B=180 + 30j, S=80 + 30j, G=x + 30j)
+    draft.bodies |= {"OA": ["O", "A"], "yokeB": ["F", "B", "S"]}
+    draft.bars += [("O", "A")]
+    draft.hint("hidden", "S")
+    draft.hint("stems", "S")
+    assert crowded(draft) == said
+
+
+@pytest.mark.parametrize(("rise", "said"), [(20, "D beside B in a slot"), (30, "")])
+def test_a_block_in_the_slot_of_a_slider_is_not_beside_the_slider(rise: float, said: str) -> None:
+    # 13 % of the whole, which is 180 cm wide, are 23 cm.
+    draft = _draft(A=0 - 40j, B=180 + 0j, K=180 - 60j, L=180 + 60j, D=180 + rise * 1j)
+    draft.bodies |= {"OA": ["O", "A"], "sliderB": ["B", "K", "L"]}
+    draft.bars += [("O", "A"), ("K", "L")]
+    draft.hints |= {"hidden": ["K", "L"], "grooves": [["K", "L"]]}
+    draft.inside.append(("D", "K", "L"))
+    assert crowded(draft) == said
+
+
+@pytest.mark.parametrize(("place", "said"), [(0 + 0j, "links cross"), (0 + 80j, "")])
+def test_the_link_of_a_block_does_not_cross_the_bar_of_its_yoke(place: complex, said: str) -> None:
+    """A is in the slot KL, whose yoke goes on from F to the right; O is below the bar or above it, A is above it."""
+    draft = _draft(A=100 + 60j, F=100 + 25j, B=0 + 25j, K=100 + 140j, L=100 - 90j)
+    draft.z["O"] = place
+    draft.bodies |= {"OA": ["O", "A"], "yokeB": ["F", "B", "K", "L"]}
+    draft.bars += [("O", "A"), ("F", "B"), ("L", "K")]
+    draft.hint("hidden", "K")
+    draft.hint("hidden", "L")
+    draft.inside.append(("A", "L", "K"))
+    assert crowded(draft) == said

@@ -50,9 +50,8 @@ def rounded(number: float, digits: int, measure: str = "") -> float:
 
 def decimals_of(number: float) -> int:
     """The decimals of a number as it is written."""
-    exponent = Decimal(repr(number)).normalize().as_tuple().exponent
-    assert isinstance(exponent, int)
-    return max(0, -exponent)
+    mantissa, _, exponent = repr(number).partition("e")
+    return max(0, len(mantissa.partition(".")[2].rstrip("0")) - int(exponent or 0))
 
 
 def decimals_shown(shown: float, exact: float, measure: str) -> int:

@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from functools import lru_cache
+from typing import Any
 
 from msgspec import Struct
 
@@ -90,7 +91,7 @@ class Value(Expression):
         self.shown = self.exact
         self.size = size
         self.unit = unit
-        self.noted: object = None
+        self.noted: Any = None
         self.made_of: tuple[Expression | None, tuple[Value, ...]] = (None, ())
 
     def number(self, exact: bool) -> float:

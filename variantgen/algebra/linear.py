@@ -7,9 +7,9 @@ from collections.abc import Collection, Sequence
 import numpy as np
 from msgspec import Struct
 
-from variantgen.algebra.expression import Constant, Expression, Ratio, Times, Total, Value
+from variantgen.algebra.expression import Constant, Expression, Ratio, Times, Total, Value, Variable
 from variantgen.algebra.normal_form import Maybe, added, product
-from variantgen.algebra.values import parts
+from variantgen.algebra.values import parts, walk
 
 _ONE = Constant(1.0)
 
@@ -57,6 +57,26 @@ def linear(item: Maybe, unknowns: Collection[Value]) -> tuple[dict[Value, Expres
             found, rest = linear(above, unknowns)
             return {v: Ratio(c, below) for v, c in found.items()}, None if rest is None else Ratio(rest, below)
     raise TypeError(f"not linear: {item!r}")
+
+
+def is_linear(item: Expression, names: Collection[str]) -> bool:
+    """Whether an expression is a sum of these names with numbers as factors; other names stand for numbers."""
+    match item:
+        case Variable():
+            return True
+        case Total(terms):
+            return all(is_linear(term, names) for _, term in terms)
+        case Times(factors):
+            moving = [factor for factor in factors if not _is_free(factor, names)]
+            return not moving or (len(moving) == 1 and is_linear(moving[0], names))
+        case Ratio(above, below):
+            return is_linear(above, names) and _is_free(below, names)
+    return _is_free(item, names)
+
+
+def _is_free(item: Expression, names: Collection[str]) -> bool:
+    """Whether none of the names stands in an expression."""
+    return not any(isinstance(part, Variable) and part.name in names for part in walk(item))
 
 
 def _sum_of_forms(

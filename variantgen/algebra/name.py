@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from msgspec import Struct
+from msgspec.structs import replace
 
 AXES = ("x", "y", "on_n", "on_tau", "xi", "eta")  # of the paper, and those that a solution lays along its vectors
 OWN_AXES = AXES[2:]
@@ -10,7 +11,7 @@ ON_LINE = ("along_", "across_")  # before the points of a line on which or acros
 COMPONENTS = ("n", "tau", *AXES)
 
 
-class Name(NamedTuple):
+class Name(Struct, frozen=True):
     """The name of a quantity of a solution, apart from its symbol in a language.
 
     ``kind``: ``v a omega epsilon``, ``x y`` (coordinates), ``length`` (of a segment), ``angle`` (a corner of a
@@ -51,7 +52,7 @@ class Name(NamedTuple):
     def whole(self) -> Name:
         """The vector of which this is a component: ``a_B`` of ``a^n_B``."""
         left = " ".join(word for word in self.part.split() if word not in COMPONENTS and not word.startswith(ON_LINE))
-        return self._replace(part=left)
+        return replace(self, part=left)
 
     def component(self, word: str) -> Name:
         """A component of this vector: one of COMPONENTS, or along or across a line (``along_AC``)."""

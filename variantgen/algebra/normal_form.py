@@ -67,8 +67,9 @@ def added(*terms: tuple[int, Maybe]) -> Maybe:
     found = [(1 if number > 0 else -1, _scaled(abs(number), rest)) for rest, number in flat.items() if number]
     if not found:
         return None
-    first = next((i for i, (sign, _) in enumerate(found) if sign > 0), 0)
-    found.insert(0, found.pop(first))
+    if found[0][0] < 0:
+        first = next((i for i, (sign, _) in enumerate(found) if sign > 0), 0)
+        found.insert(0, found.pop(first))
     return found[0][1] if len(found) == 1 and found[0][0] > 0 else Total(tuple(found))
 
 

@@ -17,7 +17,8 @@ def in_order(values: Iterable[Value], known: Collection[Value] = ()) -> list[Val
 def _find(values: Iterable[Value], known: Collection[Value], found: dict[Value, None]) -> None:
     for value in values:
         if value not in found and value not in known:
-            _find(made_of(value), known, found)
+            if inner := made_of(value):
+                _find(inner, known, found)
             found[value] = None
 
 

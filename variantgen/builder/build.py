@@ -21,7 +21,7 @@ from variantgen.builder.unfinished import Unfinished, unfinished
 from variantgen.builder.workers import PoolWorkers, Workers, in_order_by, local_workers, run_and_keep
 from variantgen.errors import InputError
 from variantgen.exam.allocation import HandedOutSheet, ProblemSampler
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.student_order import in_order
 from variantgen.exam.work.fairness import shortages, uneven_pools

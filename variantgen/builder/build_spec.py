@@ -17,7 +17,7 @@ from msgspec.structs import replace
 
 from variantgen.errors import VariantgenError
 from variantgen.exam.allocation import ProblemSampler
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.manifest import made_with
 from variantgen.families.reading.files import family_files
 from variantgen.outputs.formats import parse_exam

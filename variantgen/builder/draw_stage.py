@@ -22,7 +22,7 @@ from variantgen.exam.allocation import (
     redrawn_of,
     resolve_duplicates,
 )
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.packing import pack, unpack
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Item

@@ -13,7 +13,7 @@ from variantgen.builder.build_spec import BuildSpec, WorkerContext, worker_conte
 from variantgen.builder.kept import KeptParts, KeptProblem
 from variantgen.exam.allocation import DrawRequest
 from variantgen.exam.content import Content
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.packing import pack, unpack
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet

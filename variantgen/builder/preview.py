@@ -8,7 +8,7 @@ from msgspec.structs import replace
 
 from variantgen.errors import InputError
 from variantgen.exam.allocation import DrawRequest, ProblemSampler, next_draws_of, resolve_duplicates
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet, variant_codes
 from variantgen.variants.draw import check_room

@@ -8,7 +8,7 @@ from typing import Any
 
 from variantgen.builder.jobs import PackedChunk
 from variantgen.builder.unfinished import Unfinished
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Item, Sheet, variant_codes
 from variantgen.outputs.formats import STUDENTS_PER_PART

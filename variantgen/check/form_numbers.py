@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import Any, NamedTuple
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -25,8 +26,6 @@ from variantgen.families.family import ComponentTemplate, Form
 from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.families.parameters.units import LENGTHS
 
-# What stands in the place of a part of an expression at a place of the file ("points.A.polar.distance"), or None.
-Change = Callable[[Expression, str], Expression | None]
 _LENGTHS = {*LENGTHS, "inch"}
 SI = {
     "length": "m", "velocity": "m/s", "acceleration": "m/s^2", "angle": "rad", "angular velocity": "rad/s",
@@ -34,10 +33,20 @@ SI = {
 }  # fmt: skip
 
 
+class _Number(NamedTuple):
+    """A number where it stands in the file ("points.A.polar.distance"), its turn there and size."""
+
+    part: Expression
+    nth: int
+    place: str
+    value: float  # SI
+    measures: str  # "" nothing
+
+
 class FileNumber(Struct, frozen=True):
     """A number of a file, in all places that have it: its value there (SI), and what it measures ("" nothing).
 
-    ``places`` count the numbers of the file in the order of :func:`changed_numbers`, ``names`` are as the file names
+    ``places`` count the numbers of the file from its beginning, ``names`` are as the file names
     them. The values differ in sign at most.
     """
 
@@ -63,45 +72,49 @@ def file_numbers(form: Form, left_out: frozenset[str], leave: Callable[[float, s
 
     That is asked with the value, what it measures and the place; zeros have nothing to do with each other.
     """
-    found: dict[tuple[float, str, int], list[tuple[int, float, str]]] = {}
-    count = 0
+    found: dict[tuple[float, str, int], list[_Number]] = {}
 
-    def note(part: Expression, place: str) -> Expression | None:
-        nonlocal count
-        size = number_of(part)
-        if size is None:
-            return None
-        if not leave(*size, place):
-            value, measures = size
-            key = (float(f"{abs(value):.12g}"), measures, 0 if value else count)
-            found.setdefault(key, []).append((count, value, place))
-        count += 1
-        return part
+    def note(number: _Number) -> Expression:
+        if not leave(number.value, number.measures, number.place):
+            size = float(f"{abs(number.value):.12g}")
+            key = (size, number.measures, 0 if number.value else number.nth)
+            found.setdefault(key, []).append(number)
+        return number.part
 
-    changed_numbers(form, note, left_out)
-    numbers = []
-    for (_, measures, _), own in found.items():
-        places, values, names = zip(*own, strict=True)
-        numbers.append(FileNumber(values, measures, places, names))
-    return numbers
+    _changed(form, left_out, note)
+    return [
+        FileNumber(
+            tuple(number.value for number in own),
+            measures,
+            tuple(number.nth for number in own),
+            tuple(number.place for number in own),
+        )
+        for (_, measures, _), own in found.items()
+    ]
 
 
 def with_numbers(form: Form, left_out: frozenset[str], other: Mapping[int, Callable[[float, str], Expression]]) -> Form:
     """The form with something else in the place of some numbers, made of their value and what they measure."""
-    count = 0
 
-    def change(part: Expression, place: str) -> Expression | None:
-        nonlocal count
-        size = number_of(part)
-        if size is None:
-            return None
-        count += 1
-        return other[count - 1](*size) if count - 1 in other else part
+    def change(number: _Number) -> Expression:
+        own = other.get(number.nth)
+        return own(number.value, number.measures) if own else number.part
 
-    return changed_numbers(form, change, left_out)
+    return _changed(form, left_out, change)
 
 
-def number_of(part: Expression) -> tuple[float, str] | None:
+def _changed(form: Form, left_out: frozenset[str], change: Callable[[_Number], Expression]) -> Form:
+    """The form with its numbers changed one by one, but those of the derived quantities that are ``left_out``."""
+    count = itertools.count()
+
+    def of_part(part: Expression, place: str) -> Expression | None:
+        size = _size_of(part)
+        return change(_Number(part, next(count), place, *size)) if size else None
+
+    return _with_parts(form, left_out, of_part)
+
+
+def _size_of(part: Expression) -> tuple[float, str] | None:
     """The value (SI) of a part of an expression that is one number of the file, and what it measures; else None.
 
     A number without a unit measures "".
@@ -115,8 +128,8 @@ def number_of(part: Expression) -> tuple[float, str] | None:
     return None
 
 
-def changed_numbers(form: Form, change: Change, left_out: frozenset[str] = frozenset()) -> Form:
-    """The form with parts of its expressions changed, but those of the derived quantities that are ``left_out``."""
+def _with_parts(form: Form, left_out: frozenset[str], change: Callable[[Expression, str], Expression | None]) -> Form:
+    """The form with those parts of its expressions replaced for which ``change`` has something else, by their place."""
 
     def read(item: Any, place: str) -> Any:
         if isinstance(item, tuple):

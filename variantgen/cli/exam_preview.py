@@ -14,7 +14,7 @@ from variantgen.cli.options import some_text
 from variantgen.errors import InputError, Problem
 
 if TYPE_CHECKING:
-    from variantgen.exam.exam_file import Exam
+    from variantgen.exam.exam import Exam
     from variantgen.exam.roster import Student
     from variantgen.exam.sheets import Sheet
 
@@ -96,7 +96,7 @@ def check_options(arguments: argparse.Namespace, of_an_exam: bool) -> None:
 def show_exam(arguments: argparse.Namespace, path: Path) -> None:
     """Print the sheet with its answers, or write its pages; with ``--explain`` the solutions. Raises InputError."""
     from variantgen.builder.preview import one_sheet
-    from variantgen.exam.named_families import composing
+    from variantgen.exam.sections.named_families import composing
     from variantgen.families.reading.folders import family_folders
     from variantgen.outputs.formats import read_exam
     from variantgen.outputs.single.one_sheet import plain_sheet, write_sheet

@@ -12,7 +12,7 @@ from variantgen.errors import InputError, Problem
 
 if TYPE_CHECKING:
     from variantgen.exam.allocation import HandedOutSheet
-    from variantgen.exam.exam_file import Exam
+    from variantgen.exam.exam import Exam
     from variantgen.exam.manifest import Manifest
     from variantgen.exam.roster import Student
     from variantgen.finished.late import Changes

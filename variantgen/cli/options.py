@@ -61,6 +61,11 @@ def add_choice(parser: argparse.ArgumentParser, files: str = "family or scene fi
     add_families(parser)
 
 
+def add_built_folder(parser: argparse.ArgumentParser) -> None:
+    """``OUT_DIR``: the folder of a finished exam."""
+    parser.add_argument("folder", metavar="OUT_DIR", type=Path, help="folder that  variantgen build  has made")
+
+
 def add_language(parser: argparse.ArgumentParser) -> None:
     """``--lang``: the language of what is printed."""
     parser.add_argument("--lang", default="en", help=f"language: {' or '.join(languages())} (default: en)")

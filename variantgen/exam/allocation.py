@@ -8,10 +8,10 @@ from msgspec import Struct
 
 from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.exam.ceiling import within
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.roster import Student
+from variantgen.exam.sections.tolerance import Tolerance, places_by_tolerance
 from variantgen.exam.sheets import Item, answers_of, solve_all
-from variantgen.exam.tolerance import Tolerance, places_by_tolerance
 from variantgen.exam.work.fairness import ANY_WIDTH, Band, FairDraws, with_work
 from variantgen.families.asking import read_ask
 from variantgen.methods.hand.confirmation import UnconfirmedError

@@ -20,7 +20,7 @@ from msgspec import Struct, field
 from numpy.typing import NDArray
 
 from variantgen.errors import InputError
-from variantgen.exam.tolerance import Tolerance
+from variantgen.exam.sections.tolerance import Tolerance
 from variantgen.families.family import Form
 from variantgen.families.parameters.draw_rules import frame
 from variantgen.families.quantities import Quantity

@@ -14,7 +14,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from variantgen.errors import InputError
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.sheets import Item, Sheet, solve_all
 from variantgen.families.quantities import Quantity
 from variantgen.figure.build import draw_statement

@@ -20,7 +20,7 @@ from typing import Any
 from msgspec.structs import astuple
 
 from variantgen.errors import VariantgenError
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.sheets import Answer, Item
 from variantgen.families.parameters.units import Unit
 from variantgen.families.quantities import Quantity, split_name

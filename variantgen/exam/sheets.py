@@ -11,7 +11,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from variantgen.exam.answer_tolerances import AnswerTolerances
-from variantgen.exam.tolerance import Tolerance, places_by_tolerance
+from variantgen.exam.sections.tolerance import Tolerance, places_by_tolerance
 from variantgen.families.asking import Ask, read_ask
 from variantgen.families.parameters.units import Unit
 from variantgen.families.quantities import Quantity, motion_order, recorded
@@ -22,7 +22,7 @@ from variantgen.variants.seeding import digest
 from variantgen.variants.variant import Variant, solve_variants
 
 if TYPE_CHECKING:
-    from variantgen.exam.exam_file import ExamProblem
+    from variantgen.exam.exam import ExamProblem
     from variantgen.exam.roster import Student
     from variantgen.methods.hand.work import Work
     from variantgen.wording.formula import Surd

@@ -52,9 +52,10 @@ class FigureHints(Struct, frozen=True):
 
     ``angles``, ``lengths``, ``discs`` with their names; ``hidden`` points; ``plates``: bodies drawn as polygons;
     ``plain``: bodies of which no bar is drawn; ``slotted``: bars drawn as slotted arms; ``lines``: further lines of
-    links through points; ``thin``: thin lines of reference; ``grooves``: closed slots between two points; ``walls``:
-    hatched lines between two points; ``bare``: points whose guide or slot is not drawn as such (the end of a ladder
-    on a wall); ``stems``: points whose guide is a sleeve about a rod along it; ``right_angles`` that the
+    links through points; ``thin``: thin lines of reference; ``axial``: the same in dashes and dots, lines of motion;
+    ``grooves``: closed slots between two points; ``walls``: hatched lines between two points; ``bare``: points whose
+    guide or slot is not drawn as such (the end of a ladder on a wall); ``stems``: points whose guide is a sleeve about
+    a rod along it; ``right_angles`` that the
     text speaks of; ``found``: angles by their three points that the sheet tells because the position follows from a
     system of equations only; ``sketch``: quantities whose curves over a turn of the crank are to be drawn in a grid;
     ``graph``: the parameters of a rate and its acceleration that a graph over time tells in place of numbers;
@@ -79,3 +80,4 @@ class FigureHints(Struct, frozen=True):
     sketch: tuple[str, ...] = ()
     graph: tuple[str, ...] = ()
     named: tuple[str, ...] = ()
+    axial: tuple[tuple[str, ...], ...] = ()

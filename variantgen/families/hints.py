@@ -32,14 +32,14 @@ def read_screens(table: Table, expression: ExpressionReader, points: Collection[
     """The screens; numbers that are not given keep their defaults."""
     screens = Screens()
     numbers: dict[str, float] = {}
-    table.expect("transmission", "spacing", "aspect", "trivial", "sensitivity", "ceiling", "mistakes")
-    for key in ("transmission", "spacing", "aspect", "trivial", "sensitivity"):
+    table.expect("transmission", "spacing", "aspect", "slant", "trivial", "sensitivity", "ceiling", "mistakes")
+    for key in ("transmission", "spacing", "aspect", "slant", "trivial", "sensitivity"):
         if key in table.data:
             value = float(table.number(key, 0))
             if not 0 < value < 1000:
                 table.problem("expected a number above 0", key, value)
                 continue
-            numbers[key] = math.radians(value) if key == "transmission" else value
+            numbers[key] = math.radians(value) if key in ("transmission", "slant") else value
     # Both can only be made tighter: no family may let through what the program would not.
     for key, low, high in (("ceiling", 0.001, screens.ceiling), ("mistakes", screens.mistakes, 0.2)):
         if key in table.data:
@@ -104,8 +104,8 @@ def read_figure(
     discs = [disc for item in table.tables("discs") if (disc := _disc(item, points, bodies, quantity))]
     hidden, bare, stems = (_names(table, key, points) for key in ("hidden", "bare", "stems"))
     plates, plain, slotted = (_names(table, key, set(bodies), "body") for key in ("plates", "plain", "slotted"))
-    lines, thin, grooves, walls, found = (
-        _paths(table, key, points) for key in ("lines", "thin", "grooves", "walls", "found")
+    lines, thin, axial, grooves, walls, found = (
+        _paths(table, key, points) for key in ("lines", "thin", "axial", "grooves", "walls", "found")
     )
     sketch, graph = table.strings("sketch"), table.strings("graph")
     for i, names in enumerate(found, start=1):
@@ -130,6 +130,7 @@ def read_figure(
         found,
         sketch,
         graph,
+        axial=axial,
     )
 
 

@@ -61,9 +61,9 @@ def draw_statement(
 ) -> Making:
     """The same in the making."""
     board = Mechanism(variant, motion, index, asked, language).board()
-    drawing = yield board.draft()
+    lettered = yield board.draft()
     tell = partial(_alt_text, board, asked)
-    figure = replace(drawing, tell=tell, language=language.name, poses=board.poses)
+    figure = replace(lettered.drawing, tell=tell, language=language.name, poses=board.poses)
     return with_graphs(figure, variant, language, grids)
 
 

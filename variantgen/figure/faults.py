@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from itertools import combinations, pairwise
 
 import numpy as np
@@ -70,10 +70,10 @@ def count_label_faults(drawing: Drawing) -> int:
     return overlaps + crossed + sum(_leaves(label, drawing) for label in drawing.labels)
 
 
-def arrows_of(drawing: Drawing) -> list[tuple[complex, complex, float]]:
+def arrows_of(lines: Sequence[Line]) -> list[tuple[complex, complex, float]]:
     """Start, tip and length of the head of the straight arrows: a stroke followed by a filled triangle at its end."""
     found = []
-    for shaft, head in pairwise(drawing.lines):
+    for shaft, head in pairwise(lines):
         if not isinstance(shaft, Path) or not isinstance(head, Path):
             continue  # an arc of rotation has a head too
         if len(shaft.points) == 2 and len(head.points) == 3 and head.closed and head.fill == "ink":
@@ -84,7 +84,7 @@ def arrows_of(drawing: Drawing) -> list[tuple[complex, complex, float]]:
 
 def short_arrows(drawing: Drawing) -> list[tuple[complex, complex]]:
     """Starts and tips of the arrows that are shorter than twice their heads."""
-    return [(start, tip) for start, tip, head in arrows_of(drawing) if abs(tip - start) < 2 * head - 1e-9]
+    return [(start, tip) for start, tip, head in arrows_of(drawing.lines) if abs(tip - start) < 2 * head - 1e-9]
 
 
 def misread_labels(drawing: Drawing) -> list[str]:
@@ -107,23 +107,24 @@ def misread_labels(drawing: Drawing) -> list[str]:
     return [to_plain(named[i].formula) for i in np.flatnonzero(misread)]
 
 
-def buried_heads(drawing: Drawing) -> list[tuple[complex, complex]]:
+def buried_heads(lines: Sequence[Line]) -> list[tuple[complex, complex]]:
     """Starts and tips of the arrows whose heads lie on the hinge of another point or on an arrow from another place."""
-    arrows = arrows_of(drawing)
-    if not arrows:
-        return []
-    starts, tips = np.array([arrow[:2] for arrow in arrows], dtype=complex).T
-    hinges = [line.centre for line in drawing.lines if isinstance(line, Arc) and line.layer == Layer.HINGE]
-    others = np.array([*starts, *hinges])
-    from_afar = np.abs(others - starts[:, None]) > _OTHER_PLACE
-    gaps = np.abs(others - tips[:, None])
-    count = len(starts)
-    if from_afar[:, :count].any():
-        ways = tips - starts
-        part = np.clip(((tips[:, None] - starts) / ways).real, 0.0, 1.0)
-        gaps[:, :count] = np.abs(tips[:, None] - starts - part * ways)
-    buried = (gaps < _COVERED) & from_afar
-    return [arrows[i][:2] for i in np.flatnonzero(buried.any(axis=1))]
+    arrows = arrows_of(lines)
+    hinges = [line.centre for line in lines if isinstance(line, Arc) and line.layer == Layer.HINGE] if arrows else []
+    return [
+        (start, tip)
+        for start, tip, _ in arrows
+        if any(abs(tip - hinge) < _COVERED and abs(hinge - start) > _OTHER_PLACE for hinge in hinges)
+        or any(
+            abs(other - start) > _OTHER_PLACE and _distance(tip, other, end) < _COVERED for other, end, _ in arrows
+        )
+    ]
+
+
+def _distance(place: complex, start: complex, end: complex) -> float:
+    """The distance of a place from a segment."""
+    part = ((place - start) / (end - start)).real
+    return abs(place - start - min(max(part, 0.0), 1.0) * (end - start))
 
 
 def unmarked_points(drawing: Drawing, places: Mapping[str, complex]) -> list[str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Iterable
 from functools import cache
@@ -24,8 +25,11 @@ def corners_of(line: Path | Arc, sagitta: float = _SAGITTA) -> list[complex]:
         return [*line.points, line.points[0]] if line.closed else list(line.points)
     step = 2 * math.acos(max(0.0, 1 - sagitta / max(line.radius, sagitta)))
     count = max(2, math.ceil(abs(line.sweep) / step))
-    found: list[complex] = (line.centre + line.radius * _directions(line.start, line.sweep, count)).tolist()
-    return found
+    centre, radius = line.centre, line.radius
+    if line.start == 0 and line.sweep == math.tau:
+        return [centre + radius * way for way in _around(count)]
+    part = line.sweep / count
+    return [centre + cmath.rect(radius, line.start + number * part) for number in range(count + 1)]
 
 
 def segments_of(lines: Iterable[Line], sagitta: float = _SAGITTA) -> tuple[Segments, list[int]]:
@@ -54,19 +58,10 @@ def spaced(starts: Segments, steps: Segments, counts: NDArray[np.intp]) -> Segme
     return result
 
 
-def _directions(start: float, sweep: float, count: int) -> NDArray[np.complex128]:
-    """Unit vectors along an arc, at the ends of its parts."""
-    if start == 0 and sweep == math.tau:
-        return _around(count)
-    result: NDArray[np.complex128] = np.exp(1j * (start + sweep / count * np.arange(count + 1)))
-    return result
-
-
 @cache
-def _around(count: int) -> NDArray[np.complex128]:
+def _around(count: int) -> tuple[complex, ...]:
     """Unit vectors around a circle."""
-    result: NDArray[np.complex128] = np.exp(1j * (math.tau / count * np.arange(count + 1)))
-    return result
+    return tuple([cmath.rect(1.0, math.tau / count * number) for number in range(count + 1)])
 
 
 def boxes_crossed(
@@ -113,12 +108,22 @@ def crosses(
     middle: NDArray[np.complex128], half: NDArray[np.complex128], half_sides: tuple[Sides, Sides]
 ) -> NDArray[np.bool_]:
     """Which segments (middle from the centre of the box, half their vector) cross a box; shapes broadcast."""
+    return _crossing(middle.real, middle.imag, half.real, half.imag, half_sides)
+
+
+def _crossing(
+    x: NDArray[np.float64],
+    y: NDArray[np.float64],
+    way_x: NDArray[np.float64],
+    way_y: NDArray[np.float64],
+    half_sides: tuple[Sides, Sides],
+) -> NDArray[np.bool_]:
+    """The same with plain numbers."""
     hx, hy = half_sides
-    dx, dy = np.abs(half.real), np.abs(half.imag)
-    crossing = (np.abs(middle.real) <= hx + dx) & (np.abs(middle.imag) <= hy + dy)
-    result: NDArray[np.bool_] = crossing & (
-        np.abs(half.real * middle.imag - half.imag * middle.real) <= hx * dy + hy * dx
-    )
+    dx, dy = np.abs(way_x), np.abs(way_y)
+    result: NDArray[np.bool_] = np.abs(x) <= hx + dx
+    result &= np.abs(y) <= hy + dy
+    result &= np.abs(way_x * y - way_y * x) <= hx * dy + hy * dx
     return result
 
 
@@ -127,22 +132,33 @@ def gaps_to_box(
 ) -> NDArray[np.float64]:
     """Distance of each segment from a box (zero where they cross), shape (S,).
 
-    Of several boxes at once with places and half sides of the shape (P, 1): shape (P, S); the segments may be others
-    for each box, shape (P, S, 2).
+    Of several boxes at once, places and half sides have shapes that go with that of the segments but for its last axis:
+    places of shape (P,) with segments of shape (S, P, 2) give gaps of shape (S, P).
     """
     hx, hy = half_sides
-    start, end = segments[..., 0] - place, segments[..., 1] - place
-    step_x, step_y = end.real - start.real, end.imag - start.imag
+    start, end = segments[..., 0], segments[..., 1]
+    start_x, start_y, end_x, end_y = start.real - place.real, start.imag - place.imag, end.real - place.real, end.imag - place.imag
+    step_x, step_y = end_x - start_x, end_y - start_y
     # Ends of the segments to the box, corners of the box to the segments: the nearest pair is one of these.
-    ends = np.array((start, end))
-    aside, above = np.maximum(np.abs(ends.real) - hx, 0), np.maximum(np.abs(ends.imag) - hy, 0)
-    outside = np.minimum.reduce(aside * aside + above * above, axis=0)
+    found = np.minimum(_square_to_box(start_x, start_y, hx, hy), _square_to_box(end_x, end_y, hx, hy))
     square = step_x * step_x + step_y * step_y
-    signs = _CORNERS.reshape(2, 4, *[1] * start.ndim)
-    x, y = start.real - signs[0] * hx, start.imag - signs[1] * hy
+    signs = _CORNERS.reshape(2, 4, *[1] * square.ndim)
+    x, y = start_x - signs[0] * hx, start_y - signs[1] * hy
     part = -(x * step_x + y * step_y) / np.where(square > 0, square, 1.0)
     np.minimum(np.maximum(part, 0, out=part), 1, out=part)
     x += part * step_x
     y += part * step_y
-    gaps = np.sqrt(np.minimum(outside, np.minimum.reduce(x * x + y * y, axis=0)))
-    return np.where(crosses(0.5 * (start + end), 0.5 * (end - start), half_sides), 0.0, gaps)
+    x *= x
+    x += y * y
+    gaps = np.sqrt(np.minimum(found, np.minimum.reduce(x, axis=0)))
+    middle_x, middle_y = 0.5 * (start_x + end_x), 0.5 * (start_y + end_y)
+    gaps[_crossing(middle_x, middle_y, 0.5 * step_x, 0.5 * step_y, half_sides)] = 0.0
+    return gaps
+
+
+def _square_to_box(x: NDArray[np.float64], y: NDArray[np.float64], hx: Sides, hy: Sides) -> NDArray[np.float64]:
+    """The square of the distance of places (from the centre of a box) from the box."""
+    aside, above = np.maximum(np.abs(x) - hx, 0), np.maximum(np.abs(y) - hy, 0)
+    aside *= aside
+    aside += above * above
+    return aside

@@ -31,6 +31,9 @@ def draw_links(board: Board) -> None:
     for names in board.form.figure.thin:
         sketch.path([sketch.at[name] for name in names], Layer.GROUND, THIN)
         _occupy_both_ways(sketch, names)
+    for names in board.form.figure.axial:
+        sketch.path([sketch.at[name] for name in names], Layer.GROUND, THIN, dash="dashdot")
+        _occupy_both_ways(sketch, names)
     for names in board.form.figure.lines:
         sketch.path([sketch.at[name] for name in names], Layer.LINK)
         _occupy_both_ways(sketch, names)

@@ -1,7 +1,7 @@
 """Figures in the making: what is drawn waits for its labels, which are placed for many figures at once.
 
-A figure is a generator that yields sketches, one after the other as it tries them, gets each back as a drawing with its
-labels placed, and returns the drawing that it settles on.
+A figure is a generator that yields sketches, one after the other as it tries them, gets each back with its labels
+placed, and returns the drawing that it settles on.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from typing import NamedTuple, TypeAlias
 
 from variantgen.errors import InputError
 from variantgen.figure.drawing import Drawing
-from variantgen.figure.sketch import Sketch, finish_all
+from variantgen.figure.sketch import Lettered, Sketch, lettered
 from variantgen.wording.words import MissingWordError
 
 _AT_ONCE = 8  # figures of which the labels are placed together: with more their arrays leave the cache
@@ -25,7 +25,7 @@ class Unlettered(NamedTuple):
     widest: float = float("inf")
 
 
-Making: TypeAlias = Generator[Unlettered, Drawing, Drawing]
+Making: TypeAlias = Generator[Unlettered, Lettered, Drawing]
 
 
 def made(making: Making) -> Drawing:
@@ -50,18 +50,18 @@ def tried(makings: Sequence[Making]) -> list[Drawing | InputError]:
         group = dict(enumerate(makings[start : start + _AT_ONCE], start))
         drafts = {number: draft for number, making in group.items() if (draft := _next(making, None, number, found))}
         while drafts:
-            drawings = finish_all([(draft.sketch, draft.named) for draft in drafts.values()])
-            answered = zip(drafts, drawings, strict=True)
-            drafts = {n: draft for n, drawing in answered if (draft := _next(group[n], drawing, n, found))}
+            placed = lettered([(draft.sketch, draft.named) for draft in drafts.values()])
+            answered = zip(drafts, placed, strict=True)
+            drafts = {n: draft for n, one in answered if (draft := _next(group[n], one, n, found))}
     return [found[number] for number in range(len(makings))]
 
 
 def _next(
-    making: Making, drawing: Drawing | None, number: int, found: dict[int, Drawing | InputError]
+    making: Making, lettered: Lettered | None, number: int, found: dict[int, Drawing | InputError]
 ) -> Unlettered | None:
-    """What a figure tries next after it has got a drawing (none: at first); None where it is ``found``."""
+    """What a figure tries next after it has got a sketch lettered (none: at first); None where it is ``found``."""
     try:
-        return next(making) if drawing is None else making.send(drawing)
+        return next(making) if lettered is None else making.send(lettered)
     except StopIteration as end:
         found[number] = end.value
     except MissingWordError:

@@ -16,6 +16,8 @@ from variantgen.figure.drawing import THIN, Arc, Layer
 from variantgen.figure.placement.choices import GAP
 from variantgen.figure.placement.label_requests import LabelRequest, along_arc, along_line, along_radius, label_size
 from variantgen.figure.symbols.gears import contour
+from variantgen.figure.symbols.guide import ground_side
+from variantgen.mechanism.joints.guide import Guide
 from variantgen.wording.formula import Symbol
 
 _OFF_RIM = 3.5  # between an arc and the rim of a disc, u
@@ -25,7 +27,9 @@ _LEAST_RING = 5.0  # width of a ring in which a letter finds room, u
 _NEARLY = math.radians(5)  # between a radius and a line that it nearly crosses
 _CROSSED, _NEAR = 12.0, 3.5  # costs of lines that a radius crosses or nearly crosses, for each u of their weights
 _RADII_APART = math.radians(25)
+_ALONG = 1e-6  # cosine of the angle of a ray that is along a guide with the normal of that
 _ARC, _REFERENCE, _HEAD = 8.0, 13.0, 1.9
+_BEYOND_GROUND = 11.0  # radius of an arc that ends beyond the ground of a slider, u
 _SHIFTS = np.array([7.5, 10.0, 13.0, 16.0, 20.0, 25.0, 30.0, 36.0, 42.0])  # of a dimension line, u
 _LANE = 25  # places along a dimension line that are looked at
 _SQUARE = 3.2  # side of the mark of a right angle: seen beside a hinge circle
@@ -40,18 +44,44 @@ def draw_angle(board: Board, mark: AngleMark) -> None:
     sketch = board.sketch
     corner = sketch.at[mark.at]
     rays = [_ray(board, mark.at, name) for name in (mark.start, mark.end)]
+    hatched, opposite = _is_hatched(board, mark.at, rays), [-ray for ray in rays]
+    turned = hatched and not _has_link(board, mark.at, opposite)
+    rays = opposite if turned else rays
     for name, ray in zip((mark.start, mark.end), rays, strict=True):
         if not sketch.is_taken(mark.at, ray, math.radians(2)):
-            far = sketch.at[name] if name in sketch.at else corner + _REFERENCE * ray
+            leads = name in sketch.at and not turned
+            far = sketch.at[name] if leads else corner + _REFERENCE * ray
             sketch.path((corner, far), Layer.GROUND, THIN)
-            if name in sketch.at:
+            if leads:
                 sketch.occupy(name, corner - far)
     start, sweep = cmath.phase(rays[0]), cmath.phase(rays[1] / rays[0])
     radius = _clear_of_rims(board, corner, _ARC if abs(sweep) > math.radians(25) else 1.4 * _ARC)
+    radius = max(radius, _BEYOND_GROUND) if hatched and not turned else radius
     sketch.arc(Arc(corner, radius, Layer.MARK, THIN, start, sweep))
     sketch.label(along_arc(board.symbol(mark.name), corner, radius, start, sweep, inner=True))
     for part in (0.0, 0.25, 0.5, 0.75, 1.0):
         sketch.busy.setdefault(mark.at, []).append(start + part * sweep)
+
+
+def _is_hatched(board: Board, point: str, rays: Sequence[complex]) -> bool:
+    """Whether an angle with the line of a slider is on the side of its ground."""
+    joint = next((j for j in board.scene.joints if isinstance(j, Guide) and j.point == point), None)
+    if joint is None or point in (*board.form.figure.bare, *board.form.figure.stems):
+        return False
+    side = ground_side(board, joint)
+    along = any(abs((ray * side.conjugate()).real) < _ALONG for ray in rays)
+    return along and (_middle(rays) * side.conjugate()).real > 0
+
+
+def _middle(rays: Sequence[complex]) -> complex:
+    """The direction half way between two rays."""
+    return rays[0] * cmath.sqrt(rays[1] / rays[0])
+
+
+def _has_link(board: Board, point: str, rays: Sequence[complex]) -> bool:
+    """Whether a link leaves a point between two rays."""
+    half = 0.5 * abs(cmath.phase(rays[1] / rays[0]))
+    return any(abs(cmath.phase(link / _middle(rays))) < half for link in board.links_at(point))
 
 
 def draw_right_angle(board: Board, mark: RightAngle) -> None:

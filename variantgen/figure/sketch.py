@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Mapping, Sequence
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -16,7 +17,7 @@ from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Drawing, Label, Layer, 
 from variantgen.figure.ink import Sides
 from variantgen.figure.obstacles import Obstacles, Outline
 from variantgen.figure.placement.label_requests import LabelRequest
-from variantgen.figure.placement.labels import NOTHING_PLACED, PlacedLabels, WantedLabels, place_labels
+from variantgen.figure.placement.labels import NOTHING_PLACED, WantedLabels, place_labels
 from variantgen.wording.formula import Symbol
 
 MARGIN = 1.5
@@ -65,7 +66,7 @@ class Sketch(Struct):
     walls: list[Wall] = field(default_factory=list)
     round_walls: list[RoundWall] = field(default_factory=list)
     obstacles: Obstacles = field(default_factory=Obstacles)
-    _corners: list[complex] = field(default_factory=list)  # of the box about the first lines
+    _corners: tuple[complex, ...] = ()  # of the box about the first lines
     _bounded: int = 0  # of how many of them
 
     def path(self, points: Iterable[complex], layer: Layer, weight: float = BOLD, **style: object) -> None:
@@ -188,59 +189,85 @@ class Sketch(Struct):
             walls=[*self.walls],
             round_walls=[*self.round_walls],
             obstacles=self.obstacles.copied(),
-            _corners=[*self._corners],
         )
+
+    @property
+    def width(self) -> float:
+        """The width of the paper that the lines so far take (u)."""
+        if not self.lines:
+            return 0.0
+        low, high = self.corners()
+        return (high - low).real + 2 * MARGIN
 
     def corners(self) -> tuple[complex, complex]:
         """Lower left and upper right corner of what is drawn so far."""
-        return _box(self._outline())
-
-    def _outline(self) -> list[complex]:
-        """Places between which everything lies that is drawn so far."""
-        for line in self.lines[self._bounded :]:
-            self._corners += _extent(line)
-        self._bounded = len(self.lines)
-        return self._corners
+        new = self.lines[self._bounded :]
+        if new:
+            self._corners = _box([*self._corners, *(place for line in new for place in _extent(line))])
+            self._bounded = len(self.lines)
+        low, high = self._corners
+        return low, high
 
     def finish(self, named: Mapping[str, complex]) -> Drawing:
         """Place the labels, beside which other places are ``named``, and put everything in order."""
-        (drawing,) = finish_all([(self, named)])
-        return drawing
+        (found,) = lettered([(self, named)])
+        return found.drawing
 
-    def lettered(self, placed: PlacedLabels) -> Drawing:
-        """The drawing with its labels where they are placed: the paper cut to size, everything in order."""
-        labels, leaders, doubtful = placed
-        corners = [*self._outline(), *(point for leader in leaders for point in leader.points)]
-        for label in labels:
-            half = complex(*label.size) / 2
+
+class Lettered(Struct, frozen=True, dict=True):
+    """A sketch with its labels placed: the drawing is put in order only if it is kept."""
+
+    sketch: Sketch
+    labels: Sequence[Label]
+    leaders: Sequence[Path]
+    doubtful: bool
+
+    @cached_property
+    def _box(self) -> tuple[complex, complex]:
+        """Lower left and upper right corner of everything."""
+        corners = [*self.sketch.corners()] if self.sketch.lines else []
+        corners += [point for leader in self.leaders for point in leader.points]
+        for label in self.labels:
+            half = 0.5 * complex(*label.size)
             corners += [label.at - half, label.at + half]
         low, high = _box(corners)
-        low, high = low - complex(MARGIN, MARGIN), high + complex(MARGIN, MARGIN)
-        ordered = sorted([*self.lines, *leaders], key=lambda line: line.layer)
-        plates = [line.points for line in self.lines if isinstance(line, Path) and line.fill == "shade"]
+        return low - complex(MARGIN, MARGIN), high + complex(MARGIN, MARGIN)
+
+    @property
+    def width(self) -> float:
+        """The width of the paper (u)."""
+        low, high = self._box
+        return (high - low).real
+
+    @cached_property
+    def drawing(self) -> Drawing:
+        """The paper cut to size, everything in order."""
+        sketch, (low, high) = self.sketch, self._box
+        ordered = sorted([*sketch.lines, *self.leaders], key=lambda line: line.layer)
+        plates = [line.points for line in sketch.lines if isinstance(line, Path) and line.fill == "shade"]
         return Drawing(
             high.real - low.real,
             high.imag - low.imag,
-            tuple(moved(line, -low) for line in ordered),
-            tuple(_on_paper(x, -low, plates) for x in labels),
-            scale=self.scale,
+            tuple([moved(line, -low) for line in ordered]),
+            tuple([_on_paper(x, -low, plates) for x in self.labels]),
+            scale=sketch.scale,
             origin=-low,
-            beyond=tuple(self.beyond),
-            lengthened=self.lengthened,
-            doubtful=doubtful,
-            rotations=tuple([turn._replace(arc=_moved_arc(turn.arc, -low)) for turn in self.rotations]),
+            beyond=tuple(sketch.beyond),
+            lengthened=sketch.lengthened,
+            doubtful=self.doubtful,
+            rotations=tuple([turn._replace(arc=_moved_arc(turn.arc, -low)) for turn in sketch.rotations]),
         )
 
 
-def finish_all(sketches: Sequence[tuple[Sketch, Mapping[str, complex]]]) -> list[Drawing]:
-    """The drawings of several sketches, each with the places that are named beside its labels."""
+def lettered(sketches: Sequence[tuple[Sketch, Mapping[str, complex]]]) -> list[Lettered]:
+    """Several sketches with their labels placed, each with the places that are named beside them."""
     wanted = [
         WantedLabels(sketch.requests, sketch.obstacles.segments(), list(named.values()))
         for sketch, named in sketches
         if sketch.requests
     ]
     placed = iter(place_labels(wanted) if wanted else ())
-    return [sketch.lettered(next(placed) if sketch.requests else NOTHING_PLACED) for sketch, _ in sketches]
+    return [Lettered(sketch, *(next(placed) if sketch.requests else NOTHING_PLACED)) for sketch, _ in sketches]
 
 
 def _on_paper(label: Label, by: complex, plates: Sequence[Sequence[complex]]) -> Label:
@@ -268,7 +295,8 @@ def _box(points: Sequence[complex]) -> tuple[complex, complex]:
     """Lower left and upper right corner of the box about points."""
     every = np.array(points)
     x, y = every.real, every.imag
-    return complex(x.min(), y.min()), complex(x.max(), y.max())
+    low, high = np.minimum.reduce, np.maximum.reduce
+    return complex(low(x), low(y)), complex(high(x), high(y))
 
 
 def _extent(line: Line) -> list[complex]:

@@ -10,7 +10,7 @@ from msgspec.structs import replace
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam.allocation import HandedOutSheet
-from variantgen.exam.exam_file import Exam, with_floors
+from variantgen.exam.exam import Exam, with_floors
 from variantgen.exam.manifest import NAME, Manifest, read_manifest
 from variantgen.exam.roster import Student
 from variantgen.exam.student_order import in_order

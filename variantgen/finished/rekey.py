@@ -17,10 +17,10 @@ from msgspec.structs import replace
 
 from variantgen.errors import InputError, Problem
 from variantgen.exam.content import Content
-from variantgen.exam.exam_file import Exam, with_floors
+from variantgen.exam.exam import Exam, with_floors
 from variantgen.exam.manifest import NAME
+from variantgen.exam.sections.tolerance import LARGEST
 from variantgen.exam.sheets import Sheet
-from variantgen.exam.tolerance import LARGEST
 from variantgen.finished.restore import Finished
 from variantgen.outputs.files.edited import EDITED
 from variantgen.outputs.files.folder import file_hashes, whole_folder

@@ -12,10 +12,10 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from variantgen.errors import InputError, Problem
-from variantgen.exam.exam_file import Exam, ExamProblem, with_floors
+from variantgen.exam.exam import Exam, ExamProblem, with_floors
 from variantgen.exam.manifest import Manifest, RecordedProblem, RecordedSheet
+from variantgen.exam.sections.solutions import NONE, Solutions
 from variantgen.exam.sheets import Item, Sheet, answer_variants
-from variantgen.exam.solutions import NONE, Solutions
 from variantgen.families.parameters.parameter import Parameter
 from variantgen.outputs.formats import parse_exam
 from variantgen.variants.variant import Variant

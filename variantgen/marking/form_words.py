@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from msgspec import Struct
 
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 
 
 class FormWords(Struct, frozen=True):

@@ -12,8 +12,8 @@ from fractions import Fraction
 from msgspec import Struct, field
 from msgspec.structs import replace
 
-from variantgen.exam.marking_policy import MarkingPolicy
 from variantgen.exam.roster import Student
+from variantgen.exam.sections.marking_policy import MarkingPolicy
 from variantgen.exam.sheets import Answer
 from variantgen.families.quantities import Quantity
 from variantgen.finished.restore import Finished

@@ -10,8 +10,8 @@ from collections.abc import Sequence
 from fractions import Fraction
 from pathlib import Path
 
-from variantgen.exam.exam_file import Exam
-from variantgen.exam.marking_policy import MarkingPolicy
+from variantgen.exam.exam import Exam
+from variantgen.exam.sections.marking_policy import MarkingPolicy
 from variantgen.marking.marks import Marked, MarkedAnswer, StudentTotal, Verdict
 from variantgen.marking.words import cause_in_words
 from variantgen.outputs.spreadsheet.numbers import width

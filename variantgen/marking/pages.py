@@ -13,7 +13,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity, split_name
 from variantgen.finished.restore import Finished

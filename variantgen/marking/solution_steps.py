@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from variantgen.algebra.expression import Value
 from variantgen.algebra.values import in_order
 from variantgen.errors import InputError
-from variantgen.exam.exam_file import Exam, ExamProblem
+from variantgen.exam.exam import Exam, ExamProblem
 from variantgen.exam.sheets import Answer
 from variantgen.families.quantities import motion_order
 from variantgen.methods.compose import solution

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from variantgen.errors import InputError, Problem
-from variantgen.exam.marking_policy import MarkingPolicy, rounded
+from variantgen.exam.sections.marking_policy import MarkingPolicy, rounded
 from variantgen.finished.restore import Finished
 from variantgen.marking.key import Key
 

@@ -6,6 +6,7 @@ batch axis of length N (one entry per variant); scalars broadcast.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -71,6 +72,11 @@ def unit_towards(start: Complex, end: Complex) -> tuple[Complex, Flags]:
     length = np.abs(step)
     apart = length > 4 * EPS * (np.abs(start) + np.abs(end))
     return np.where(apart, step, 1.0) / np.where(apart, length, 1.0), apart
+
+
+def line_direction(at: Mapping[str, Complex], through: str, angle: Real, towards: str | None) -> tuple[Complex, Flags]:
+    """Unit vector of the line through a point along an angle (rad) or, if named, towards a point; whether it exists."""
+    return (unit_vector(angle), True) if towards is None else unit_towards(at[through], at[towards])
 
 
 def snap_to_zero(total: Real, magnitude: Real) -> Real:

@@ -14,11 +14,12 @@ from msgspec.structs import replace
 
 from variantgen.errors import Problem
 from variantgen.mechanism.arithmetic import Complex, Real, cross, dot, unit_towards
+from variantgen.mechanism.joint import JointCircle
 from variantgen.mechanism.joints.guide import Guide
 from variantgen.mechanism.joints.rope import Rope
 from variantgen.mechanism.joints.slot import Slot
 from variantgen.mechanism.motion import Motion
-from variantgen.mechanism.rows import JointCircle, Placement
+from variantgen.mechanism.rows import Placement
 from variantgen.mechanism.scene import label
 
 _OFF = 1e-6  # of the length of a line: less is rounding

@@ -13,8 +13,8 @@ import numpy as np
 from msgspec import Struct
 
 from variantgen.mechanism.arithmetic import cross
-from variantgen.mechanism.joints.slot import Slot
-from variantgen.mechanism.rows import Constraint, Placement, ScalarRow, Shape, Sliding
+from variantgen.mechanism.joint import Sliding
+from variantgen.mechanism.rows import Constraint, Placement, ScalarRow, Shape
 from variantgen.mechanism.scene import Scene, fixed_points
 
 _ASLANT = 1e-6  # sine of the angle of a rope with a guide: less is rounding
@@ -40,7 +40,7 @@ class Linkage(Struct, frozen=True, dict=True):
         """Bodies that a single joint keeps from turning, and sleeves on one of them that do not swivel."""
         shapes = [shape for joint in self.scene.joints for shape in joint.shapes() if not shape.points]
         held = {body for shape in shapes if len(shape.bodies) == 1 for body in shape.bodies}
-        sleeves = [(j.sleeve, j.body) for j in self.scene.joints if isinstance(j, Slot) and j.sleeve is not None]
+        sleeves = [pair for joint in self.scene.joints if (pair := joint.locked())]
         return frozenset(held | {sleeve for sleeve, body in sleeves if body in held})
 
     @cached_property
@@ -94,9 +94,11 @@ class Linkage(Struct, frozen=True, dict=True):
         """Directions (unit vectors) of the straight fixed guides of points, with the points placed ``at``."""
         found: dict[str, complex] = {}
         for joint in self.scene.joints:
-            for shape, row in zip(joint.shapes(), joint.rows(at), strict=True):
-                alone = len(shape.points) == 1 and not shape.bodies and shape.given_point is None
-                if alone and not joint.landmarks() and isinstance(row, ScalarRow):
+            shapes = joint.shapes()
+            if joint.landmarks() or not any(map(_is_of_one_point, shapes)):
+                continue
+            for shape, row in zip(shapes, joint.rows(at), strict=True):
+                if _is_of_one_point(shape) and isinstance(row, ScalarRow):
                     normal = complex(row.points[shape.points[0]])
                     found.setdefault(shape.points[0], -1j * normal / abs(normal))
         return found
@@ -111,6 +113,11 @@ class Linkage(Struct, frozen=True, dict=True):
         led = [strand for strand in strands if strand.end in guides]
         aslant = [s.station for s in led if np.any(np.abs(cross(s.ray, guides[s.end])) > _ASLANT)]
         return list(dict.fromkeys(aslant))
+
+
+def _is_of_one_point(shape: Shape) -> bool:
+    """Whether a row binds a single point to the ground."""
+    return len(shape.points) == 1 and not shape.bodies and shape.given_point is None
 
 
 def driven_body(driver: Constraint) -> str | None:

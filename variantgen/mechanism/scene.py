@@ -14,8 +14,9 @@ from numpy.typing import NDArray
 from variantgen.mechanism.arithmetic import Complex, Flags, Real
 from variantgen.mechanism.component import FieldSpec, field_specs, parts
 from variantgen.mechanism.condition import Condition
+from variantgen.mechanism.joint import Pair
 from variantgen.mechanism.outcome import Outcome
-from variantgen.mechanism.rows import Constraint, Frame, Pair
+from variantgen.mechanism.rows import Constraint, Frame
 
 
 class Construction(Protocol):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from variantgen.algebra.expression import Value
+from variantgen.methods.beside_motion import BesideMotion
 from variantgen.methods.linkage.problem import AGREES, Task
 from variantgen.methods.printed_numbers import PrintedNumbers, text_of
 from variantgen.methods.solution.book import Book, Known, resultant
@@ -62,9 +63,9 @@ def confirm(book: Book, solution: Solution, methods: Sequence[str]) -> None:
 
 def confirm_answers(task: Task, answers: Mapping[str, Value], methods: Sequence[str]) -> None:
     """Raise VerificationError where an answer (by the name of its quantity) is not the solver's, sign included."""
-    printed = PrintedNumbers(task)
+    beside = BesideMotion(task)
     for quantity in task.asked:
-        off = printed.answer(quantity, answers[quantity.name])
+        off = beside.answer(quantity, answers[quantity.name])
         if not off <= AGREES:
             raise _error(task, methods, f"the answer {quantity.name}", off)
 

@@ -31,8 +31,15 @@ class SolvedMotion(Struct, frozen=True):
         """The velocity or acceleration of that name: of a point, about a pole, relative, of transport, a component.
 
         There may be several where a point and its pole share no body: the point may move with any body of the pole.
-        So has a pin in the slots of two bodies a relative motion on each.
+        So has a pin in the slots of two bodies a relative motion on each. The task remembers them.
         """
+        key, known = ("vectors", name), self.task.remembered
+        if key not in known:
+            known[key] = self._vectors(name)
+        found: list[complex] = known[key]
+        return found
+
+    def _vectors(self, name: Name) -> list[complex]:
         now, point = self.task.now, name.of
         table = now.v if name.kind == "v" else now.a if name.kind == "a" else {}
         if point not in table or (name.about and name.about not in table):
@@ -195,9 +202,13 @@ class SolvedMotion(Struct, frozen=True):
         return [unit(self.task.unit_of(measure)).from_si(self.task.si[law]) for law in names]
 
     def answer(self, quantity: Quantity) -> float:
-        """An asked quantity in its printed unit, angles in degrees."""
-        own = quantity.own_unit(self.task.variant.family.length_unit)
-        return float(own.from_si(float(quantity.value(self._motion)[0])))
+        """An asked quantity in its printed unit, angles in degrees; the task remembers it."""
+        key, known = ("answer", quantity), self.task.remembered
+        if key not in known:
+            own = quantity.own_unit(self.task.variant.family.length_unit)
+            known[key] = float(own.from_si(float(quantity.value(self._motion)[0])))
+        found: float = known[key]
+        return found
 
     @property
     def _motion(self) -> Motion:

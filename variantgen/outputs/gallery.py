@@ -8,7 +8,6 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-import jinja2
 from markupsafe import Markup
 from msgspec import Struct
 
@@ -19,10 +18,10 @@ from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs.figures.svg import render, svg
 from variantgen.outputs.files.folder import check_free, whole_folder
+from variantgen.outputs.html.environment import environment
 from variantgen.outputs.typst.markup import markup
 from variantgen.outputs.typst.typesetter import typesetter
 from variantgen.outputs.typst.writing import figure_data
-from variantgen.resources import templates_dir
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.variant import solve_variants
 from variantgen.wording.html import to_html
@@ -122,14 +121,6 @@ def _counts(shown: SolutionFigure, language: Language) -> str:
 
 def _page(shown: SolutionFigure, language: Language) -> str:
     """The page of HTML."""
-    environment = jinja2.Environment(
-        loader=jinja2.FileSystemLoader(templates_dir() / "gallery"),
-        undefined=jinja2.StrictUndefined,
-        autoescape=True,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-    )
     families = [
         {
             "name": family.name,
@@ -140,12 +131,16 @@ def _page(shown: SolutionFigure, language: Language) -> str:
         }
         for family, rows in shown
     ]
-    return environment.get_template("index.html.j2").render(
-        lang=language.name,
-        words=language.words("gallery"),
-        sheet=language.words("sheet"),
-        counts=_counts(shown, language),
-        families=families,
+    return (
+        environment("gallery")
+        .get_template("index.html.j2")
+        .render(
+            lang=language.name,
+            words=language.words("gallery"),
+            sheet=language.words("sheet"),
+            counts=_counts(shown, language),
+            families=families,
+        )
     )
 
 

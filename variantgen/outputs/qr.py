@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from variantgen.errors import InputError, Problem
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.sheets import Sheet
 from variantgen.tables import shown
 

@@ -163,7 +163,7 @@ def look(workspace: Workspace, name: str, form: str, seed: int, language: str) -
 def _shown(variant: Any, language: str) -> dict[str, Any]:
     """The figure of a variant, its data and its answers."""
     from variantgen.single import answers, asked_quantities
-    from variantgen.studio.figures import drawn
+    from variantgen.studio.gallery.figures import drawn
     from variantgen.wording.formula import Equation, Measured
     from variantgen.wording.html import to_html
     from variantgen.wording.language import load_language

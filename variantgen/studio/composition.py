@@ -12,10 +12,10 @@ from variantgen.errors import InputError, Problem
 from variantgen.families.asking import read_ask
 from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
-from variantgen.studio.catalogue import ONLY, family_files, family_version, form_titles, own_folders
 from variantgen.studio.documents.document import Document
 from variantgen.studio.documents.journal import version_of
-from variantgen.studio.figures import FIRST_SEED
+from variantgen.studio.gallery.cards import ONLY, family_files, family_version, form_titles, own_folders
+from variantgen.studio.gallery.figures import FIRST_SEED
 from variantgen.studio.summary import problems_of
 from variantgen.studio.workspace import Workspace
 from variantgen.wording.html import to_html

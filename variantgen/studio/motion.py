@@ -6,7 +6,7 @@ entry for each position, None where there is no value.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from decimal import Decimal
 from itertools import pairwise
 from typing import Any
@@ -16,18 +16,18 @@ from msgspec.structs import replace
 
 from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import Quantity, motion_order
-from variantgen.figure.curves import curves
 from variantgen.figure.drawing import Layer, Line, Path
 from variantgen.figure.moving import Paper
 from variantgen.mechanism.centres import velocity_centre
 from variantgen.mechanism.motion import ComplexField, Motion
 from variantgen.mechanism.relative import relative_motion, sliding_points
 from variantgen.methods.graphical.plan_scale import pole_letter
-from variantgen.outputs.figures.svg import lettering, path_data
+from variantgen.outputs.figures.svg import lettering
 from variantgen.outputs.motion.caption import end_sentences
 from variantgen.outputs.motion.plotted_curves import PlottedCurve, panels
 from variantgen.outputs.motion.ranges import visible_range
 from variantgen.outputs.motion.subject import Subject
+from variantgen.studio.moving_lines import box_about, drawn, frames_of, pen, places, polyline
 from variantgen.variants.driver_sweep import driver_sweep
 from variantgen.variants.variant import Variant
 from variantgen.wording.formula import Equation, Measured, Symbol
@@ -39,7 +39,6 @@ _USUAL = 0.75
 _LONGEST_NOW = 28.0  # at the instant of the problem, u
 _SAME = 1e-6  # of the size of the mechanism, or of the largest vector
 _FAR = 2.5  # from the middle of the picture, in its diagonals: centres beyond are not shown
-_MARGIN = 8.0  # about the picture, u
 _CURVES = 8
 _KINDS = {
     "velocity": "vel",
@@ -64,19 +63,19 @@ def motion_of(variant: Variant, asked: Sequence[Quantity], language: str) -> dic
     ground = [paper.at(z) for z in moving.ground]
     velocities, accelerations = _vectors(subject, paper, "v"), _vectors(subject, paper, "a")
     ends = [np.array(one.pop("ends"), dtype=np.complex128) for one in (velocities, accelerations)]
-    box = _box(still, [*paths, *ends, np.array(moving.corners(paper))])
+    box = box_about(still, [*paths, *ends, np.array(moving.corners(paper))])
     return {
         "title": variant.family.title(language),
         "box": box,
-        "ground": _drawn(line for line in still if line.layer == Layer.GROUND) + [_pen(_polyline(z)) for z in ground],
-        "bases": _drawn(line for line in still if line.layer != Layer.GROUND),
-        **_frames(frames),
+        "ground": drawn(line for line in still if line.layer == Layer.GROUND) + [pen(polyline(z)) for z in ground],
+        "bases": drawn(line for line in still if line.layer != Layer.GROUND),
+        **frames_of(frames),
         "driver": _driver(subject, frames[sweep.instant], paper),
         "names": [
-            {"text": lettering(name), "point": _places(point), "at": _places(z)}
+            {"text": lettering(name), "point": places(point), "at": places(z)}
             for name, point, z in moving.names(labels, paper)
         ],
-        "paths": [_polyline(z) for z in paths],
+        "paths": [polyline(z) for z in paths],
         "centres": _centres(subject, paper, box),
         "velocities": velocities,
         "accelerations": accelerations,
@@ -89,47 +88,6 @@ def _uniform(variant: Variant) -> Variant:
     """A variant whose drivers have no accelerations."""
     none = dict.fromkeys(variant.form.of_accelerations_alone, Decimal(0))
     return replace(variant, printed={**variant.printed, **none})
-
-
-def _xy(z: complex) -> list[float]:
-    return [round(z.real, 2) + 0.0, round(-z.imag, 2) + 0.0]
-
-
-def _places(z: ComplexField) -> list[list[float] | None]:
-    return [_xy(place) if np.isfinite(place) else None for place in z.tolist()]
-
-
-def _polyline(z: ComplexField) -> str:
-    """A path through places; it begins anew after one that is not finite."""
-    parts, begun = [], False
-    for place in z.tolist():
-        if np.isfinite(place):
-            x, y = _xy(place)
-            parts.append(f"{'L' if begun else 'M'}{x} {y}")
-        begun = bool(np.isfinite(place))
-    return "".join(parts)
-
-
-def _pen(data: str, weight: float = 0.45, fill: str = "", dash: str = "") -> dict[str, Any]:
-    return {"d": data, "weight": weight, "fill": fill, "dash": dash}
-
-
-def _drawn(lines: Iterable[Line]) -> list[dict[str, Any]]:
-    """Lines as paths with their pens, back to front."""
-    return [_pen(path_data(c), c.weight, c.fill, c.dash) for c in curves(sorted(lines, key=lambda line: line.layer))]
-
-
-def _frames(frames: Sequence[Sequence[Line]]) -> dict[str, Any]:
-    """The pens of all positions, back to front, and for each position the path of each pen."""
-    drawn = [curves(sorted(lines, key=lambda line: line.layer)) for lines in frames]
-    pens = list(dict.fromkeys(curve[:4] for lines in drawn for curve in lines))
-    pens.sort(key=lambda pen: pen[0])
-    found = []
-    for lines in drawn:
-        data = {curve[:4]: path_data(curve) for curve in lines}
-        found.append([data.get(pen, "") for pen in pens])
-    named = [{"layer": int(layer), "weight": weight, "fill": fill, "dash": dash} for layer, weight, fill, dash in pens]
-    return {"pens": named, "frames": found}
 
 
 def _driver(subject: Subject, lines: Sequence[Line], paper: Paper) -> list[str]:
@@ -145,17 +103,8 @@ def _driver(subject: Subject, lines: Sequence[Line], paper: Paper) -> list[str]:
             ends = (complex(paper.at(motion.z[first])[at]), complex(paper.at(motion.z[second])[at]))
             if any(len(p) == 2 and abs(p[0] - ends[0]) + abs(p[1] - ends[1]) < 1e-3 for p in links):
                 both = zip(paper.at(motion.z[first]), paper.at(motion.z[second]), strict=True)
-                return [_polyline(np.array(pair)) for pair in both]
+                return [polyline(np.array(pair)) for pair in both]
     return []
-
-
-def _box(lines: Iterable[Line], places: Sequence[ComplexField]) -> list[float]:
-    """Left, top, width and height of the picture."""
-    drawn = [p for curve in curves(lines) for _, points in curve.steps for p in points]
-    every = np.concatenate([np.array(drawn, dtype=np.complex128), *places])
-    left, right = float(every.real.min()) - _MARGIN, float(every.real.max()) + _MARGIN
-    low, high = float(every.imag.min()) - _MARGIN, float(every.imag.max()) + _MARGIN
-    return [round(value, 2) for value in (left, -high, right - left, high - low)]
 
 
 def _vectors(subject: Subject, paper: Paper, kind: str) -> dict[str, Any]:
@@ -192,9 +141,9 @@ def _vectors(subject: Subject, paper: Paper, kind: str) -> dict[str, Any]:
                 "text": lettering(subject.language.symbol(name, symbols)),
                 "end": "" if part else lettering(_small(subject, point)),
                 "kind": part,
-                "at": _places(at),
-                "by": _places(by),
-                "start": _places(np.where(clear, scale * start, np.nan)) if part else None,
+                "at": places(at),
+                "by": places(by),
+                "start": places(np.where(clear, scale * start, np.nan)) if part else None,
             }
         )
     whole = [point for point, _, part, *_ in found if not part]
@@ -243,7 +192,7 @@ def _centres(subject: Subject, paper: Paper, box: Sequence[float]) -> list[dict[
         place = np.where(seen, place, np.nan)
         if seen.any() and float(np.ptp(place.real[seen]) + np.ptp(place.imag[seen])) > 0.01:
             name = subject.language.symbol(f"P_{body}", symbols)
-            found.append({"text": lettering(name), "at": _places(place), "path": _polyline(place)})
+            found.append({"text": lettering(name), "at": places(place), "path": polyline(place)})
     return found
 
 

@@ -34,6 +34,7 @@ _KINDS = (
     ("off other links", "off_links"),
     ("hinges apart", "apart"),
     ("aspect", "aspect"),
+    ("nearly horizontal", "slant"),
     ("inside", "inside"),
     ("hand-friendly", "nice"),
     ("require", "require"),

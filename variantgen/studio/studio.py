@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING, TypeVar
 from msgspec import Struct, field
 
 from variantgen.errors import InputError, Problem
-from variantgen.studio.builds import Builds, FinishedBuild
+from variantgen.studio.building.builds import Builds, FinishedBuild
+from variantgen.studio.building.preview import Previews
 from variantgen.studio.documents.document import Document
 from variantgen.studio.events import Events
-from variantgen.studio.preview import Previews
 from variantgen.studio.workspace import Workspace
 
 if TYPE_CHECKING:

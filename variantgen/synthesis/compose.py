@@ -116,7 +116,7 @@ def _varied(draft: Draft, structure: Structure, scratch: Path) -> tuple[Family, 
     _write_statements(draft, scratch)
     why = ""
     for width in _WIDTHS:
-        family = _family(family_text(draft, _titles(structure), code(structure), ["a_A"], width), scratch)
+        family = _family(family_text(draft, _titles(draft, structure), code(structure), ["a_A"], width), scratch)
         try:
             draws = _Draws(family, _quantities(family, ["a_A"]), _VALID)
         except LayoutError as error:
@@ -149,8 +149,8 @@ def _write_statements(draft: Draft, scratch: Path) -> None:
         (scratch / name).write_text(text, "utf-8")
 
 
-def _titles(structure: Structure) -> dict[str, str]:
-    return {language: title(language, moving_links(structure)) for language in composed_languages()}
+def _titles(draft: Draft, structure: Structure) -> dict[str, str]:
+    return {language: title(language, draft, moving_links(structure)) for language in composed_languages()}
 
 
 def _accepted(
@@ -169,7 +169,7 @@ def _accepted(
         _write_statements(draft, scratch)
     if why := unfit(draws.variant(0), _quantities(family, asked)):
         raise LayoutError(why)
-    text = family_text(draft, _titles(structure), code(structure), asked, width)
+    text = family_text(draft, _titles(draft, structure), code(structure), asked, width)
     family = _family(text, scratch)
     draws = _Draws(family, _quantities(family, asked), _VALID_ASKED)
     if draws.fit(screening) < _FIT:

@@ -17,7 +17,8 @@ ANGLES = ("beta", "gamma", "delta", "psi", "theta")  # alpha is an angular accel
 WHEEL = "wheel1"  # the body of a rolling wheel
 PINION = "gear1"  # the body of a gear in mesh
 CRANK = "OA"  # the body of the driving link
-OPENINGS = ("driven", "given", "in_position")  # how the statement tells the first dyad and the position
+# How the statement tells the first dyad and the position; "turning": the given motion comes first.
+OPENINGS = ("driven", "given", "in_position", "turning")
 _LENGTH_STEP, _ANGLE_STEP = 2, 5  # cm, degrees
 Facts: TypeAlias = dict[str, str]
 Component: TypeAlias = tuple[str, dict[str, Any]]

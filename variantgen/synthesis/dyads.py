@@ -210,6 +210,8 @@ def _through_pivot(draft: Draft, at: Attachment, slider: str, rod: str, guide: i
         draft.base = slider  # which is ahead of O with every longer rod
         draft.marks[0] = {**draft.marks[0], "from": slider}
         draft.require.append(f"{rod} > OA")
+    else:  # no side of an angle shows the line of motion
+        draft.hint("axial", ["O", slider])
 
 
 def _moving_guide(draft: Draft, links: tuple[int, int], dyad: AssurGroup) -> None:

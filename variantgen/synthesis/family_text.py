@@ -43,7 +43,7 @@ def family_text(
         lines += ["[[joints]]", f"{kind} = {_inline(fields)}"]
     epsilon = ', epsilon = "epsilon_OA"' if changes_speed(draft) else ""
     lines += ["", "[[drivers]]", f'rotation = {{ body = "OA", omega = "sense * omega_OA"{epsilon} }}']
-    lines += ["", "[screens]", "transmission = 25", f"spacing = {_spacing(draft)}"]
+    lines += ["", "[screens]", "transmission = 25", "slant = 4", f"spacing = {_spacing(draft)}"]
     if draft.inside:
         lines.append(f"inside = {_value([list(item) for item in draft.inside])}")
     if draft.require:

@@ -11,6 +11,8 @@ from variantgen.resources import languages, templates_dir
 from variantgen.synthesis.draft import CRANK, Draft, Facts
 from variantgen.synthesis.family_text import changes_speed
 
+_ONE_GROUP = 3  # moving links of a driving link and a group of two
+
 
 def composed_languages() -> list[str]:
     """The languages in which statements can be composed: those that have the sentences."""
@@ -23,15 +25,20 @@ def sentences(language: str) -> Mapping[str, Any]:
     return tomllib.loads((templates_dir() / "synthesis" / f"{language}.toml").read_text("utf-8"))
 
 
-def title(language: str, links: int) -> str:
-    """The title of a composed family with so many moving links."""
-    return str(sentences(language)["titles"][str(links)])
+def title(language: str, draft: Draft, links: int) -> str:
+    """The title of a composed family: the usual name of a mechanism with one group, or how many links move."""
+    words, (key, _) = sentences(language), draft.sentences[0]
+    name = words["titles_of"].get(key) if len(draft.asked) == 1 and links == _ONE_GROUP else ""
+    return str(name or words["titles"][str(links)])
 
 
 def statement_text(draft: Draft, language: str) -> str:
-    """``statement.<language>.j2``: the mechanism in the order of growth, position, given motion, relative motion."""
+    """``statement.<language>.j2``: the mechanism in the order of growth, position, given motion, relative motion; the
+    given motion may come first.
+    """
     words = sentences(language)
-    parts = _mechanism(draft, words)
+    parts = [_motion_first(draft, words)] if draft.opening == "turning" else []
+    parts += _mechanism(draft, words)
     if len(draft.pivots) > 1:
         parts.append(_worded(draft, words["position"]["fixed"]).format(names=_joined(draft.pivots, words)))
     parts.append(_position(draft, words))
@@ -42,7 +49,7 @@ def statement_text(draft: Draft, language: str) -> str:
 def _mechanism(draft: Draft, words: Mapping[str, Any]) -> list[str]:
     """A sentence for each dyad, and one for an arm before it; two in a row that begin alike are joined."""
     found: list[str] = []
-    driver_named = False
+    driver_named = draft.opening == "turning"
     for place, (key, said) in enumerate(draft.sentences):
         facts = _as_called(said, draft, driver_named)
         driver_named = driver_named or CRANK in said.values()
@@ -64,6 +71,16 @@ def _mechanism(draft: Draft, words: Mapping[str, Any]) -> list[str]:
         else:
             joined.append(sentence)
     return joined
+
+
+def _motion_first(draft: Draft, words: Mapping[str, Any]) -> str:
+    """The given motion, and what the mechanism is called where the first group has a usual name."""
+    key, facts = draft.sentences[0]
+    noun = words["nouns"][draft.called.get(CRANK, "link")]
+    name = words["mechanisms"].get(key, "") if facts.get("at_point") == "A" and not draft.brief else ""
+    motion = words["position"]["turning_changing" if changes_speed(draft) else "turning_constant"]
+    said = name.format(**_forms(facts, words)) + str(motion).replace("{driver}", noun)
+    return said[0].upper() + said[1:]
 
 
 def _position(draft: Draft, words: Mapping[str, Any]) -> str:
@@ -96,6 +113,9 @@ def _position(draft: Draft, words: Mapping[str, Any]) -> str:
             form = phrases[f"{key}_{'one' if len(set(alike)) == 1 else 'many'}"]
             clauses.append(form.format(names=_joined(list(dict.fromkeys(alike)), words)))
     there = _listed([*clauses, *middles], words)  # "C is in the middle of AB and O1D is" would be read wrongly
+    if draft.opening == "turning":
+        there = f"; {there}" if there else ""
+        return str(_worded(draft, phrases["shown"]).format(angles=_listed(angles, words), clauses=there))
     driver = words["nouns"][called]
     opening = "given" if draft.opening == "given" and not draft.relative else "in_position"  # the shorter one
     if there:
@@ -161,6 +181,22 @@ def _listed(parts: Sequence[str], words: Mapping[str, Any]) -> str:
     return str(words["and"]).join(filter(None, (", ".join(parts[:-1]), *parts[-1:])))
 
 
+def _both(facts: Facts, at: str, to: str, words: Mapping[str, Any]) -> str:
+    """The phrase for two places in a row: of two links that are called alike the noun stands once."""
+    (noun, one), (other_noun, other) = (_link_at(facts, index, words) for index in ("", "_to"))
+    if not noun or noun != other_noun:
+        return str(words["pairs"]["apart"].format(at=at, to=to))
+    return str(words["pairs"]["alike"].format(nouns=words["nouns_many"][noun], one=one, other=other))
+
+
+def _link_at(facts: Facts, index: str, words: Mapping[str, Any]) -> tuple[str, str]:
+    """What the link is called at whose end a hinge is, and the link; nothing for other places."""
+    place = _place(facts, index)
+    if facts[f"at{index}"] in words["arms"]:
+        return "rod", place["link"]
+    return (place["noun"], place["link"]) if facts[f"at{index}"] == "end" else ("", "")
+
+
 def _place(facts: Facts, index: str) -> Facts:
     """What is known of where a hinge is: of the first end ("") or of the other ("_to")."""
     return {key.removeprefix(f"at{index}_"): value for key, value in facts.items() if key.startswith(f"at{index}_")}
@@ -197,6 +233,8 @@ def _filled(facts: Facts, words: Mapping[str, Any]) -> Facts:
             place = _forms(_place(facts, index), words)
             found[field] = words["places"][key].format(**place)
             found[f"{field}_to"] = words["places_to" if "places_to" in words else "places"][key].format(**place)
+    if "at" in found and "to" in found:
+        found["both"] = _both(facts, found["at_to"], found["to_to"], words)
     if "bar" in facts:
         found["on"] = words["on"]["groove" if facts["noun"] == "groove" else "bar"].format(**found)
     return found

@@ -9,10 +9,10 @@ from collections.abc import Iterable
 from variantgen.mechanism.constructions.coordinates import Coordinates
 from variantgen.mechanism.constructions.fraction import SegmentFraction
 from variantgen.mechanism.drivers.rotation import Rotation
+from variantgen.mechanism.joint import Pair
 from variantgen.mechanism.joints.guide import Guide
 from variantgen.mechanism.joints.pivot import Pivot
 from variantgen.mechanism.joints.slot import Slot
-from variantgen.mechanism.rows import Pair
 from variantgen.mechanism.scene import Construction, Scene
 
 Choices = tuple[float, float, float, float, float]

@@ -10,11 +10,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.mechanism.constructions.coordinates import Coordinates
+from variantgen.mechanism.joint import Pair
 from variantgen.mechanism.joints.pivot import Pivot
 from variantgen.mechanism.joints.rolling import Rolling
 from variantgen.mechanism.joints.slot import Slot
 from variantgen.mechanism.motion import Motion
-from variantgen.mechanism.rows import Pair
 from variantgen.mechanism.scene import Scene
 
 Vectors = Mapping[str, ArrayLike]

@@ -37,6 +37,7 @@ _FAR = 4.0
 # Relative change of a parameter in the search for sensitive answers.
 _STEP = 1e-6
 _AT_ONCE = 1_000_000  # distances of points that are in memory together
+_STRAIGHT = 1e-3  # rad: a link so near to horizontal or vertical lies so on paper
 _MARGIN = 0.12  # of a rod, at each end, that a sleeve or an inner joint keeps clear
 
 
@@ -73,6 +74,8 @@ def position_screens(form: Form, motion: Motion, values: Values) -> dict[str, Pa
         "hinges off other links": _at_least(_clearance(form, motion, shown) / safe, spacing),
         "aspect": _at_least(np.minimum(np.real(high - low), np.imag(high - low)) * form.screens.aspect, size),
     }
+    if form.screens.slant:
+        found["no link nearly horizontal or vertical"] = _slanted(form, motion)
     for point, start, end in form.screens.inside:
         line = motion.z[end] - motion.z[start]
         square = np.where(np.abs(line) > 0, np.abs(line) ** 2, 1.0)
@@ -124,6 +127,16 @@ def _clearance(form: Form, motion: Motion, shown: Sequence[str]) -> NDArray[np.f
             need = _BASE_OFF_LINKS if point in fixed else _OFF_LINKS
             smallest = np.minimum(smallest, np.abs(step - part * line) / need)
     return smallest
+
+
+def _slanted(form: Form, motion: Motion) -> Passed:
+    """Whether each bar is horizontal or vertical, or well away from it."""
+    passed = np.ones(motion.size, dtype=bool)
+    for _, start, end in form.bars:
+        line = motion.z[end] - motion.z[start]
+        off = np.arctan2(*np.sort(np.abs([line.real, line.imag]), axis=0))
+        passed &= (off < _STRAIGHT) | _at_least(off, form.screens.slant)
+    return passed
 
 
 def motion_screens(form: Form, motion: Motion, asked: Sequence[Quantity]) -> dict[str, Passed]:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import lru_cache
 
-from variantgen.wording.formula.markup import Mark, Markup, Signs
+from variantgen.wording.formula.markup import Mark, Signs
 from variantgen.wording.formula.precedence import Between
+from variantgen.wording.formula.tex import TexMarkup, marked
 from variantgen.wording.formula.tree import ANGLE, GREEK, Formula, Index, Symbol, UnitText, letters
 
 _GREEK = {"epsilon": r"\varepsilon", "phi": r"\varphi"}  # the forms that the figures and the engine use
@@ -16,8 +17,6 @@ ESCAPES = {  # characters that are commands or not in every font
 }  # fmt: skip
 _ABOUT = {"modulus": r"\left|{}\right|", "angle": r"\angle({}, x)", "sense": r"\operatorname{{sgn}} {}"}
 _SIGNS = {"′": "'", "∥": r"\parallel", "⟂": r"\perp"}
-_MARKS = {Mark.NONE: "{}", Mark.ARROW: r"\vec{{{}}}", Mark.DOT: r"\dot{{{}}}", Mark.DOTS: r"\ddot{{{}}}"}
-_WIDE_ARROW = r"\overrightarrow{{{}}}"
 
 
 def escaped(text: str) -> str:
@@ -31,7 +30,7 @@ def to_latex(formula: Formula) -> str:
     return _LATEX.write(formula)
 
 
-class _Latex(Markup):
+class _Latex(TexMarkup):
     """Markup of LaTeX, which knows itself how much room is around an operator."""
 
     flat = False
@@ -59,9 +58,7 @@ class _Latex(Markup):
     def letter(self, symbol: Symbol, exponent: int | None, mark: Mark) -> str:
         scripts = (("_", symbol.index), ("^", symbol.upper))
         joined = [(sign, _joined(parts)) for sign, parts in scripts if parts]
-        wide = mark is Mark.ARROW and symbol.is_name
-        pattern = _WIDE_ARROW if wide else _MARKS[mark]
-        letter = pattern.format(_base(symbol.base)) + "".join(f"{sign}{{{text}}}" for sign, text in joined)
+        letter = marked(_base(symbol.base), symbol, mark) + "".join(f"{sign}{{{text}}}" for sign, text in joined)
         return letter if exponent is None else self.power(letter, exponent)
 
     def indexed(self, whole: str, index: Sequence[Index]) -> str:
@@ -75,15 +72,6 @@ class _Latex(Markup):
 
     def symbol_property(self, what: str, symbol: str) -> str:
         return _ABOUT[what].format(symbol)
-
-    def fraction(self, numerator: str, denominator: str) -> str:
-        return rf"\frac{{{numerator}}}{{{denominator}}}"
-
-    def power(self, base: str, exponent: int) -> str:
-        return f"{base}^{{{exponent}}}"
-
-    def root(self, radicand: str) -> str:
-        return rf"\sqrt{{{radicand}}}"
 
     def function(self, name: str, exponent: int | None, argument: str, enclosed: bool) -> str:
         operator = rf"\mathop{{{_word(name)}}}\nolimits"

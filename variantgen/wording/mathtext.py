@@ -4,16 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from variantgen.wording.formula.markup import Mark, Markup, Signs
+from variantgen.wording.formula.markup import Mark, Signs
 from variantgen.wording.formula.precedence import Between
+from variantgen.wording.formula.tex import TexMarkup, marked
 from variantgen.wording.formula.tree import ANGLE, GREEK, Formula, Index, Symbol, UnitText, letters
 
 # The variants that print as the letters of the rest of a sheet: ε and φ.
 _VARIANTS = {"epsilon": r"\varepsilon", "phi": r"\varphi"}
 _ABOUT = {"modulus": "|{}|", "angle": r"\angle({},\,x)", "sense": r"\mathrm{{sgn}}\,{}"}
 _SIGNS = {"′": "'", "∥": r"\parallel{}", "⟂": r"\perp{}"}
-_MARKS = {Mark.NONE: "{}", Mark.ARROW: r"\vec{{{}}}", Mark.DOT: r"\dot{{{}}}", Mark.DOTS: r"\ddot{{{}}}"}
-_WIDE_ARROW = r"\overrightarrow{{{}}}"
 # What has a meaning in the markup, as what prints it.
 _SPECIAL = {
     "\\": "\N{SET MINUS}",
@@ -40,7 +39,7 @@ def to_mathtext(formula: Formula) -> str:
     return f"${_MATHTEXT.write(formula)}$"
 
 
-class _Mathtext(Markup):
+class _Mathtext(TexMarkup):
     """The part of TeX that matplotlib knows; an empty group ends the name of a sign, since there are no spaces."""
 
     flat = False
@@ -66,9 +65,7 @@ class _Mathtext(Markup):
     )
 
     def letter(self, symbol: Symbol, exponent: int | None, mark: Mark) -> str:
-        wide = mark is Mark.ARROW and symbol.is_name
-        pattern = _WIDE_ARROW if wide else _MARKS[mark]
-        letter = pattern.format(_base(symbol.base)) + _script("_", symbol.index) + _script("^", symbol.upper)
+        letter = marked(_base(symbol.base), symbol, mark) + _script("_", symbol.index) + _script("^", symbol.upper)
         return letter if exponent is None else self.power(letter, exponent)
 
     def indexed(self, whole: str, index: Sequence[Index]) -> str:
@@ -82,15 +79,6 @@ class _Mathtext(Markup):
 
     def symbol_property(self, what: str, symbol: str) -> str:
         return _ABOUT[what].format(symbol)
-
-    def fraction(self, numerator: str, denominator: str) -> str:
-        return rf"\frac{{{numerator}}}{{{denominator}}}"
-
-    def power(self, base: str, exponent: int) -> str:
-        return f"{base}^{{{exponent}}}"
-
-    def root(self, radicand: str) -> str:
-        return rf"\sqrt{{{radicand}}}"
 
     def function(self, name: str, exponent: int | None, argument: str, enclosed: bool) -> str:
         operator = _upright(name) if exponent is None else self.power(_upright(name), exponent)

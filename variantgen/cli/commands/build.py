@@ -79,9 +79,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Build the folder. Raises InputError for options, files or names that cannot be used."""
     from variantgen.builder import build, scheduled_workers
-    from variantgen.exam.named_families import composing
     from variantgen.exam.samples import exam_path
-    from variantgen.exam.solutions import NONE as NO_SOLUTIONS
+    from variantgen.exam.sections.named_families import composing
+    from variantgen.exam.sections.solutions import NONE as NO_SOLUTIONS
     from variantgen.families.reading.folders import family_folders
     from variantgen.outputs.formats import chosen, read_exam
 

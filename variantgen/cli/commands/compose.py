@@ -40,7 +40,7 @@ def _check_together(arguments: argparse.Namespace) -> None:
 
 def _keep_pools(path: Path) -> None:
     """Write the families of the pools of an exam beside its file, where every later command finds them."""
-    from variantgen.exam.named_families import composing
+    from variantgen.exam.sections.named_families import composing
     from variantgen.families.reading.files import family_files
     from variantgen.outputs.formats import read_exam
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from variantgen.cli.columns import in_columns
 from variantgen.cli.messages import say, tell
-from variantgen.cli.options import add_families
+from variantgen.cli.options import add_built_folder, add_families
 from variantgen.errors import InputError, Problem
 
 HELP = "how equal the variants of a finished exam are in work"
@@ -20,7 +20,7 @@ DESCRIPTION = (
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
-    parser.add_argument("folder", metavar="OUT_DIR", type=Path, help="folder that  variantgen build  has made")
+    add_built_folder(parser)
     parser.add_argument("--out", type=Path, metavar="FILE.html", help="write a page with plots")
     add_families(parser)
 

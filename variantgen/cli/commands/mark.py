@@ -9,13 +9,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from variantgen.cli.messages import counted, say, tell
-from variantgen.cli.options import add_families
+from variantgen.cli.options import add_built_folder, add_families
 from variantgen.errors import InputError
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
 
-    from variantgen.exam.marking_policy import MarkingPolicy
+    from variantgen.exam.sections.marking_policy import MarkingPolicy
     from variantgen.finished.restore import Finished
     from variantgen.marking.answer_tables import NotMatched, ReadAnswers
     from variantgen.marking.changes import Change, Earlier
@@ -36,7 +36,7 @@ _BOOK = "marks.xlsx"
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
-    parser.add_argument("folder", metavar="OUT_DIR", type=Path, help="folder that  variantgen build  has made")
+    add_built_folder(parser)
     parser.add_argument(
         "answers", metavar="ANSWERS", type=Path, nargs="+", help="tables with the answers, scans, photos"
     )
@@ -63,60 +63,98 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Mark the class."""
     from variantgen.exam.manifest import read_manifest
-    from variantgen.exam.marking_policy import read_policy_file
+    from variantgen.exam.sections.marking_policy import read_policy_file
     from variantgen.families.reading.folders import family_folders
     from variantgen.finished.restore import restore_unchanged
-    from variantgen.marking import changes, gradebooks
+    from variantgen.marking.changes import changes
     from variantgen.marking.key import Key
     from variantgen.marking.marks import mark
-    from variantgen.marking.pages import FILES as PAGES
-    from variantgen.marking.pages import write_pages
-    from variantgen.marking.records import FILES, not_matched, without_words, write_marks
-    from variantgen.marking.scan import review
-    from variantgen.outputs.files.folder import check_free, whole_folder
+    from variantgen.marking.records import without_words
+    from variantgen.outputs.files.folder import check_free
 
-    known = (*FILES, *PAGES, *gradebooks.FILES, changes.CHANGES, *review.FILES, _BOOK)
-    check_free(arguments.out, arguments.force, lambda: known)
+    check_free(arguments.out, arguments.force, _known_files)
     finished = restore_unchanged(read_manifest(arguments.folder), family_folders(arguments.families))
     asked = Key(finished.record).asked
     policy = read_policy_file(arguments.policy, asked) if arguments.policy else finished.exam.marking
     earlier = _earlier(arguments.against, arguments.out, {sheet.code for sheet in finished.record.sheets})
-    with_book = find_spec("xlsxwriter") is not None
-    changed: list[changes.Change] = []
     finished, read, joined = _read(arguments, finished, policy)
     found = mark(finished, read, policy)
     if arguments.anonymous:
         found = without_words(found)
-    with whole_folder(arguments.out, arguments.force, lambda: known) as work:
-        write_marks(work, finished.record, found, arguments.anonymous)
-        write_pages(work, finished, found, arguments.anonymous, arguments.steps)
-        if not arguments.anonymous:
-            gradebooks.write_gradebooks(work, finished.exam.title, found)
-        if with_book:
-            from variantgen.marking.marks_book import write_book
-
-            write_book(work / _BOOK, finished.exam, found, policy, arguments.anonymous)
-        if earlier is not None:
-            changed = changes.changes(finished.record, found, earlier)
-            changes.write_changes(work, finished.record, changed, arguments.anonymous)
-        if joined is not None:
-            review.write_review(
-                work, finished, joined.scans.doubtful, joined.typed, joined.scans.lost, arguments.anonymous
-            )
-        written = sorted(path.name for path in work.iterdir())
+    changed = None if earlier is None else changes(finished.record, found, earlier)
+    written = _write(arguments, finished, found, policy, changed, joined)
     if arguments.json:
         say(_json(found, arguments.anonymous))
+    _tell(arguments, finished, found, changed, written)
+    return 0
+
+
+def _known_files() -> Sequence[str]:
+    """All files that a marking may have."""
+    from variantgen.marking import changes, gradebooks, pages, records
+    from variantgen.marking.scan import review
+
+    return (*records.FILES, *pages.FILES, *gradebooks.FILES, changes.CHANGES, *review.FILES, _BOOK)
+
+
+def _write(
+    arguments: argparse.Namespace,
+    finished: Finished,
+    found: Marked,
+    policy: MarkingPolicy,
+    changed: Sequence[Change] | None,
+    joined: Joined | None,
+) -> list[str]:
+    """The folder of a marking, whole or not at all; the names of its files."""
+    from variantgen.marking.changes import write_changes
+    from variantgen.marking.gradebooks import write_gradebooks
+    from variantgen.marking.pages import write_pages
+    from variantgen.marking.records import write_marks
+    from variantgen.marking.scan.review import write_review
+    from variantgen.outputs.files.folder import whole_folder
+
+    record, anonymous = finished.record, arguments.anonymous
+    with whole_folder(arguments.out, arguments.force, _known_files) as work:
+        write_marks(work, record, found, anonymous)
+        write_pages(work, finished, found, anonymous, arguments.steps)
+        if not anonymous:
+            write_gradebooks(work, finished.exam.title, found)
+        if _can_write_book():
+            from variantgen.marking.marks_book import write_book
+
+            write_book(work / _BOOK, finished.exam, found, policy, anonymous)
+        if changed is not None:
+            write_changes(work, record, changed, anonymous)
+        if joined is not None:
+            write_review(work, finished, joined.scans.doubtful, joined.typed, joined.scans.lost, anonymous)
+        return sorted(path.name for path in work.iterdir())
+
+
+def _can_write_book() -> bool:
+    """Whether the package is there that writes workbooks."""
+    return find_spec("xlsxwriter") is not None
+
+
+def _tell(
+    arguments: argparse.Namespace,
+    finished: Finished,
+    found: Marked,
+    changed: Sequence[Change] | None,
+    written: Sequence[str],
+) -> None:
+    """Say what was marked, what is left to do, and what was written."""
+    from variantgen.marking.records import not_matched
+
     for difference in finished.differences:
         tell(f"not as when the exam was made: {difference}")
     _tell_left(not_matched(found, arguments.anonymous))
     tell(_summary(found))
     _tell_open(found)
-    if earlier is not None:
+    if changed is not None:
         _tell_changes(found, changed)
-    if not with_book:
+    if not _can_write_book():
         tell(f'{_BOOK} is left out: it needs XlsxWriter, pip install "variantgen[xlsx]"')
     tell(f"written: {arguments.out}: {', '.join(written)}")
-    return 0
 
 
 def _read(

@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 
 from variantgen.cli.messages import tell
-from variantgen.cli.options import add_families
+from variantgen.cli.options import add_built_folder, add_families
 from variantgen.errors import InputError, Problem
 
 HELP = "make one student's sheet of a finished exam again"
@@ -18,7 +18,7 @@ DESCRIPTION = (
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
-    parser.add_argument("folder", metavar="OUT_DIR", type=Path, help="folder that  variantgen build  has made")
+    add_built_folder(parser)
     parser.add_argument(
         "--student",
         required=True,

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import argparse
 import json
-from pathlib import Path
 
 from msgspec.structs import asdict
 
 from variantgen.cli.messages import counted, say, tell
-from variantgen.cli.options import add_families
+from variantgen.cli.options import add_built_folder, add_families
 
 HELP = "compute every answer of a finished exam again"
 DESCRIPTION = (
@@ -22,7 +21,7 @@ _SHOWN = 20
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Options of the command."""
-    parser.add_argument("folder", metavar="OUT_DIR", type=Path, help="folder that  variantgen build  has made")
+    add_built_folder(parser)
     parser.add_argument("--json", action="store_true", help="the result as one JSON document on stdout")
     add_families(parser)
 

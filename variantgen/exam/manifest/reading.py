@@ -13,11 +13,11 @@ from typing import Any
 from msgspec import Struct, field
 
 from variantgen.errors import InputError, Problem
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.manifest.recorded_sheets import RecordedSheet, read_sheet
 from variantgen.exam.manifest.streamed_json import entries
-from variantgen.exam.named_families import read_recorded
-from variantgen.exam.tolerance import LARGEST, Tolerance
+from variantgen.exam.sections.named_families import read_recorded
+from variantgen.exam.sections.tolerance import LARGEST, Tolerance
 from variantgen.families.reading.files import family_hash
 from variantgen.resources import folder_hash, templates_dir
 from variantgen.tables import Table

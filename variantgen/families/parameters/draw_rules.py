@@ -34,7 +34,8 @@ class Screens(Struct, frozen=True):
     """What a variant must meet. Angles in rad, the others relative to the size or rates of the mechanism.
 
     ``transmission``: distance from dead points (see Motion.transmission); ``spacing``: smallest distance of two
-    hinges, of a hinge from a foreign link in proportion; ``aspect``: largest ratio of the sides;
+    hinges, of a hinge from a foreign link in proportion; ``aspect``: largest ratio of the sides; ``slant``: how far
+    links that are not horizontal or vertical are from it, so that nobody takes them for it;
     ``inside``: (point, end, end) triples, the point well between the ends; ``require``: comparisons of parameters;
     ``trivial``: smallest size of an answer; ``sensitivity``: largest relative change of an answer per relative
     change of the data; ``ceiling``: the largest relative error that a careful hand calculation may lead to;
@@ -44,6 +45,7 @@ class Screens(Struct, frozen=True):
     transmission: float = float(np.radians(30))
     spacing: float = 0.11
     aspect: float = 4.0
+    slant: float = 0.0
     trivial: float = 0.04
     sensitivity: float = 10.0
     ceiling: float = 0.03

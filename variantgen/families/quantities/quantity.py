@@ -30,7 +30,7 @@ class Quantity(Struct, frozen=True, dict=True):
     component: str = ""
     wanted: str = ""  # the unit of its answer, if it is not that of the family
 
-    @property
+    @cached_property
     def name(self) -> str:
         """The name as written in files, ``v_B.x``."""
         return self.whole_name + (f".{self.component}" if self.component else "")
@@ -40,12 +40,12 @@ class Quantity(Struct, frozen=True, dict=True):
         """The name with the unit that is wanted, ``v_B in ft/s``."""
         return f"{self.name} in {self.wanted}" if self.wanted else self.name
 
-    @property
+    @cached_property
     def whole_name(self) -> str:
         """The name without what is asked of it, ``v_B``."""
         return f"{self.kind}{'.' if self.kind == ROPE else '_'}{self.target}"
 
-    @property
+    @cached_property
     def order(self) -> int:
         """0 if positions are enough to know it, 1 if velocities are, 2 if accelerations are needed."""
         return KINDS[self.kind].order
@@ -82,7 +82,7 @@ class Quantity(Struct, frozen=True, dict=True):
         """Whether it is searched for along a turn or an interval, where no steps of a calculation lead to it."""
         return self.is_of_interval or (self.of_instant is not None and not self.kind.startswith(MEAN))
 
-    @property
+    @cached_property
     def is_vector(self) -> bool:
         """Whether it belongs to a vector of a point: its magnitude, a component, its angle."""
         return self.group in ("vector", "relative", "difference")
@@ -114,7 +114,7 @@ class Quantity(Struct, frozen=True, dict=True):
         """Whether it belongs to the rotation of a body."""
         return self.group == "rotation"
 
-    @property
+    @cached_property
     def is_centre(self) -> bool:
         """Whether it is a distance from the velocity or acceleration centre, or a coordinate of it."""
         return self.group == "centre"
@@ -201,7 +201,7 @@ class Quantity(Struct, frozen=True, dict=True):
         moving = [bend.point for bend in (end, *pulleys) if bend.point not in rest]
         return (*drum, *(Quantity("v", point) for point in dict.fromkeys(moving)))
 
-    @property
+    @cached_property
     def point(self) -> str:
         """The point it speaks of, or ''."""
         if self.is_centre:

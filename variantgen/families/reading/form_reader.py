@@ -8,7 +8,7 @@ from decimal import Decimal
 from fnmatch import fnmatchcase
 from typing import Any, NamedTuple
 
-from msgspec.structs import force_setattr, replace
+from msgspec.structs import replace
 
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.families.asking import read_ask
@@ -183,8 +183,7 @@ class FormReader:
         _ = form.plan
         check_motion(form, self.top.data.get("laws", {}))
         form = self._with_instant(form)
-        self._check_ask(form)
-        return form
+        return self._asking(form)
 
     def _with_instant(self, form: Form) -> Form:
         """The form with the instant that its laws say how to find. Raises InputError."""
@@ -246,7 +245,8 @@ class FormReader:
             if other != name and parameter.given:
                 self.top.problem(f"is written like {other}", f"parameters.{name}.symbol", parameter.symbol)
 
-    def _check_ask(self, form: Form) -> None:
+    def _asking(self, form: Form) -> Form:
+        """The form with what it asks, all plain quantities if its file does not say; it can be asked for all of it."""
         names = quantity_names(form.sample)
         for pattern in form.may_ask:
             if not any(fnmatchcase(name, pattern) for name in names) and not is_quantity(pattern, form.sample):
@@ -260,14 +260,14 @@ class FormReader:
                 )
         if self.ask:
             read_ask(form)
-            return
+            return form
         given = {parameter.symbol for parameter in form.parameters.values() if parameter.given}
         plain = tuple(name for name in form.askable if name not in given and ("." not in name or form.may_ask))
         if not plain:
             raise InputError(
                 Problem("nothing moves in this scene", key="bodies", remedy="add bodies, joints and a driver")
             )
-        force_setattr(form, "ask", plain)
+        return replace(form, ask=plain)
 
     def _listed(self, name: str, package: str) -> tuple[ComponentTemplate, ...]:
         found = [self._templates.read(table, package) for table in self.top.tables(name)]

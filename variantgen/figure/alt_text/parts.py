@@ -16,7 +16,7 @@ def parts(alt_text: AltText) -> list[str]:
     """Everything that the figure shows of the bodies, a phrase each."""
     found = [*_bars(alt_text), *_plates(alt_text), *_discs(alt_text)]
     figure = alt_text.board.form.figure
-    for names in figure.thin:
+    for names in (*figure.thin, *figure.axial):
         if len(alt_text.shown(names)) == len(names):
             found.append(alt_text.say("thin_line", points="".join(map(alt_text.name, names))))
     for names in figure.walls:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from itertools import accumulate, repeat
+from operator import mul
 
 import numpy as np
 from msgspec import Struct
@@ -12,7 +14,7 @@ from numpy.typing import NDArray
 
 from variantgen.families.family import Form
 from variantgen.figure.drawing import BOLD, THIN, Layer, Line
-from variantgen.figure.equations.surroundings import Surroundings, largest, size_of
+from variantgen.figure.equations.surroundings import Surroundings, corners_about, largest, size_of
 from variantgen.figure.ink import segments_of, spaced
 from variantgen.figure.making import Making, Unlettered
 from variantgen.figure.motion.contact_letters import draw_dot
@@ -35,6 +37,7 @@ _SHORTEST = 24.0  # the longest vector becomes no shorter, u
 _LEAST_BODY, _LEAST_RODS = 0.05, 0.5  # of the largest scale: how small bodies, and links between points, become
 _LANE = 2.3  # between arrows that would lie on each other, u
 _HEAD = 1.5  # end of an arrow that no hinge may hide, u
+_TIPS = np.array([[0.5], [0.75], [1.0]])  # parts of an arrow that keep apart from others
 _LANES = (0.0, 1.0, -1.0, 2.0, -2.0, 3.0)
 _AXIS = 11.0  # length of an axis, u
 _FREE = 5.0  # distance of axes from all lines that is enough, u
@@ -119,19 +122,36 @@ class BodyBoard:
                 [z[name] for name in self.named], size * self.room.real, size * _BODIES_HIGH * self.room.imag
             )
         steps = math.ceil(math.log(_LEAST_RODS if self._rods else _LEAST_BODY, _SMALLER))
-        scales = np.multiply.accumulate([most, *[_SMALLER] * steps])
+        scales = list(accumulate(repeat(_SMALLER, steps), mul, initial=most))
+        low, high = corners_about(bodies)
+        number = 0
         while True:
-            places, ways = np.array([*((place, 0j) for place in bodies), *spread(longest)], dtype=complex).T
-            width, height = (
-                np.ptp(np.multiply.outer(scales, at) + way, axis=1)
-                for at, way in ((places.real, ways.real), (places.imag, ways.imag))
-            )
-            roomy = (width <= self.room.real) & (height <= self.room.imag)
-            scale = float(scales[roomy.argmax()] if roomy.any() else scales[-1])
+            number = self._roomiest(scales, [(low, 0j), (high, 0j), *spread(longest)], number)
+            scale = scales[number]
             shortest = min(longest, max(_SHORTEST, scale * max(whole.real, whole.imag)))
             if not whole or longest <= shortest:
                 return scale, longest
             longest = max(_SMALLER * longest, shortest)
+
+    def _roomiest(self, scales: Sequence[float], spots: Sequence[tuple[complex, complex]], first: int) -> int:
+        """Which scale is the largest with room for places (m) and what lies so far from them (u); ``first`` is tried.
+
+        Scales with room follow each other, because the extent of it all is a convex function of the scale.
+        """
+
+        def is_roomy(number: int) -> bool:
+            scale = scales[number]
+            x = [scale * place.real + way.real for place, way in spots]
+            if max(x) - min(x) > self.room.real:
+                return False
+            y = [scale * place.imag + way.imag for place, way in spots]
+            return max(y) - min(y) <= self.room.imag
+
+        if not is_roomy(first):
+            return next(filter(is_roomy, range(len(scales))), len(scales) - 1)
+        while first and is_roomy(first - 1):
+            first -= 1
+        return first
 
     def drawn(self, scale: float) -> MotionBoard:
         """The board at a scale with the bodies on it."""
@@ -141,8 +161,8 @@ class BodyBoard:
         board.sketch = Sketch(whole.at, whole.scale, busy=whole.busy, symbol_radius=whole.symbol_radius)
         for piece in kept.pieces(whole.lines):
             board.sketch.add(piece)
-        for request, named in zip(whole.requests, kept.named([r.own for r in whole.requests]), strict=True):
-            if named:
+        for request in whole.requests:
+            if kept.names(request.own):
                 board.sketch.label(request)
         board.shown = tuple(name for name in board.shown if name in self.points)
         for rod in self._rods:
@@ -226,14 +246,14 @@ def _lane(place: complex, vector: complex, others: Sequence[complex], hinges: Se
     if not others and not hinges:
         return 0j
     side = 1j * vector / abs(vector)
-    known, supports = np.array(others, dtype=complex), np.array(hinges, dtype=complex)
+    known, end = np.array(others, dtype=complex), place + vector
     best = (-1.0, 0j)
     for lane in _LANES:
         shift = lane * _LANE * side
-        tips = place + shift + vector * np.array([0.5, 0.75, 1.0])
-        free = float(np.min(np.abs(known[:, None] - tips), initial=math.inf))
-        head = tips[-1] - _HEAD * vector / abs(vector) * np.array([0.0, 1.0])
-        free = min(free, float(np.min(np.abs(supports[:, None] - head), initial=math.inf)))
+        tips = place + shift + _TIPS * vector
+        free = float(np.minimum.reduce(np.abs(known - tips), axis=None, initial=math.inf))
+        head = (end + shift, end + shift - _HEAD * vector / abs(vector))
+        free = min([free, *(abs(hinge - at) for hinge in hinges for at in head)])
         if free > 0.8 * _LANE:
             return shift
         best = max(best, (free, shift), key=lambda item: item[0])

@@ -48,7 +48,7 @@ def draw_chain(subject: FigureSubject) -> Making:
         sketch.arrow(0j, _AXIS * axis, Layer.MARK, MEDIUM, 2.0)
         sketch.label(around(Symbol(letter), _AXIS * axis, 0.3))
     _draw_graph(drawn, chain)
-    return (yield drawn.draft())
+    return (yield drawn.draft()).drawing
 
 
 def _draw_graph(board: MotionBoard, chain: ChainGraph) -> None:

@@ -11,9 +11,10 @@ from msgspec.structs import replace
 
 from variantgen.figure.drawing import THIN, Arc, Layer
 from variantgen.figure.equations.body_board import FigureSubject
-from variantgen.figure.equations.surroundings import distances_to_segments
+from variantgen.figure.equations.surroundings import squares_to_segments
 from variantgen.figure.motion.motion_board import MotionBoard
 from variantgen.figure.placement.label_requests import along_arc, around
+from variantgen.figure.sketch import Sketch
 from variantgen.methods.steps.step_geometry import Corner, MarkedFoot
 from variantgen.wording.formula import Formula, Symbol
 from variantgen.wording.solution.formulas import Formulas
@@ -21,7 +22,7 @@ from variantgen.wording.solution.quantity_symbols import Symbols
 
 _ARC, _WIDER = 7.0, 3.2  # radius of an arc; how much more that of a further one at the same vertex has, u
 _BEYOND = 3.5  # how far a side that no line carries goes on beyond the arc, u
-_ON_SIDE = np.array([0.6, 0.8, 1.0])  # where a line must lie on a side, in radii of the arc
+_ON_SIDE = (0.6, 0.8, 1.0)  # where a line must lie on a side, in radii of the arc
 _FOOT_SQUARE = 2.2  # the same at the foot of a perpendicular, u
 _SQUARE = 3.2  # side of the mark of a right angle, u
 _LEAST_LEG = 1.8  # a perpendicular that is shorter, or has its foot nearer to a point, is not drawn, u
@@ -164,19 +165,24 @@ def _draw_sides(
 ) -> None:
     """Thin lines along the sides of an angle that nothing lies on as far as its arc; whole ``links`` on them."""
     sketch = board.sketch
+    at, ways = sketch.at[key], [side / abs(side) for side in sides]
+    taken = [way for way in ways if sketch.is_taken(key, way, math.radians(2))]
+    seen = dict(zip(taken, _carried(sketch, [at + radius * part * way for way in taken for part in _ON_SIDE])))
+    for way in ways:
+        if not seen.get(way):
+            ends = [link for link in links if abs(link) > radius and abs(cmath.phase(link / way)) < _SAME]
+            sketch.path((at, at + (max(ends, key=abs) if ends else (radius + _BEYOND) * way)), Layer.GROUND, THIN)
+
+
+def _carried(sketch: Sketch, places: Sequence[complex]) -> list[bool]:
+    """Whether some line runs by all of the places on a side, which follow each other side by side."""
+    if not places:
+        return []
     drawn = sketch.obstacles.segments()
-    for side in sides:
-        way = side / abs(side)
-        if sketch.is_taken(key, side, math.radians(2)):
-            places = np.asarray(sketch.at[key] + radius * _ON_SIDE * way, dtype=np.complex128)
-            gaps = distances_to_segments(places, drawn[:, :1], drawn[:, 1:])
-            seen = bool(np.all(gaps.min(axis=0) < _ON_LINE))
-        else:
-            seen = False
-        if not seen:
-            ends = [link for link in links if abs(link) > radius and abs(cmath.phase(link / side)) < _SAME]
-            end = sketch.at[key] + (max(ends, key=abs) if ends else (radius + _BEYOND) * way)
-            sketch.path((sketch.at[key], end), Layer.GROUND, THIN)
+    squares = squares_to_segments(np.array(places)[:, None], drawn[:, 0], drawn[:, 1])
+    near = np.minimum.reduce(squares, axis=1) < _ON_LINE**2
+    result: list[bool] = np.logical_and.reduce(near.reshape(-1, len(_ON_SIDE)), axis=1).tolist()
+    return result
 
 
 def _gap(first: float, second: float) -> float:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from functools import cached_property
-from itertools import chain, combinations
+from itertools import chain, combinations, compress
 
 import numpy as np
 from msgspec import Struct
@@ -44,14 +44,9 @@ class Surroundings(Struct, frozen=True, dict=True):
         found = [*self.points, *(place for member in self.members for place in member)]
         return found + [c + r * way for c, r in self.rims for way in (1, 1j, -1, -1j)]
 
-    def named(self, owns: Sequence[Sequence[complex]]) -> list[bool]:
-        """Which labels, of those that name these places, belong to what is drawn: most of their places lie there."""
-        if not owns:
-            return []
-        places, sizes = np.array([place for own in owns for place in own]), np.array([len(own) for own in owns])
-        inside = self._at_points(places, 1.0) | self._on_bodies(places)
-        shares = np.add.reduceat(inside.astype(float), np.cumsum(sizes) - sizes) / sizes
-        return [bool(share > 0.5) for share in shares]
+    def names(self, own: Sequence[complex]) -> bool:
+        """Whether a label that names these places belongs to what is drawn: most of them lie there."""
+        return 2 * sum(map(self._is_inside, own)) > len(own)
 
     def pieces(self, lines: Sequence[Line]) -> Iterator[Line]:
         """What of lines lies in the surroundings, in their order, lighter than in the figure of a statement."""
@@ -66,7 +61,8 @@ class Surroundings(Struct, frozen=True, dict=True):
         counts = np.maximum(1, np.minimum(np.ceil(np.abs(steps) / _STEP), _MOST)).astype(int)
         # All places that are looked at, those of all lines in a row; where the corners are among them.
         places, at = spaced(corners, steps, counts), np.cumsum(counts) - counts
-        starts = at[[0, *ends[:-1].tolist()]]
+        first_corners = [0, *ends[:-1].tolist()]
+        starts = at[first_corners]
         gaps, to_others = _squares(places, self.points), _squares(places, self.others)
         foreign = np.minimum.reduce(to_others, axis=0, initial=STUB**2)
         near, on_bodies = gaps <= foreign, self._on_bodies(places)
@@ -76,48 +72,54 @@ class Surroundings(Struct, frozen=True, dict=True):
         joined |= np.logical_and.reduceat(anywhere, starts)
         lengths = [*(starts[1:] - starts[:-1]).tolist(), len(places) - starts[-1]]
         close = np.logical_or.reduce(near & joined.repeat(lengths, axis=1), axis=0)
-        inside, filled = close | on_bodies, anywhere | on_bodies
-        for line, first, end in zip(seen, [0, *ends[:-1].tolist()], ends.tolist(), strict=True):
-            if not isinstance(line, Strokes) and line.fill and filled[at[first:end]].all():
-                yield line._replace(weight=_light(line))
-                continue
-            own = slice(at[first], at[end - 1] + 1)
+        inside = close | on_bodies
+        whole = np.logical_and.reduceat(inside, starts) & np.logical_or.reduceat(close, starts)
+        filled = np.logical_and.reduceat((anywhere | on_bodies)[at], first_corners)
+        spans = zip(first_corners, ends.tolist(), whole.tolist(), filled.tolist(), strict=True)
+        for line, outline, (first, end, is_whole, is_filled) in zip(seen, outlines, spans, strict=True):
             if isinstance(line, Strokes):
                 yield from self._strokes(line, places[at[first:end]], close[at[first:end]])
-                continue
-            seen_there = close if self._is_foreign(line) else inside
-            yield from self._kept(line, places[own], at[first:end] - at[first], close[own], seen_there[own])
+            elif line.fill and is_filled:
+                yield line._replace(weight=_light(line))
+            elif is_whole and len(set(outline)) > 1 and not self._is_foreign(line):
+                yield _lighter(line, outline)
+            else:
+                own = slice(at[first], at[end - 1] + 1)
+                seen_there = close if self._is_foreign(line) else inside
+                yield from self._kept(line, places[own], at[first:end] - at[first], close[own], seen_there[own])
 
     @cached_property
     def _box(self) -> tuple[complex, complex]:
         """Lower left and upper right corner of what is drawn."""
-        outline = self.extent()
-        low = complex(min(p.real for p in outline), min(p.imag for p in outline)) - STUB * (1 + 1j)
-        return low, complex(max(p.real for p in outline), max(p.imag for p in outline)) + STUB * (1 + 1j)
+        low, high = corners_about(self.extent())
+        return low - STUB * (1 + 1j), high + STUB * (1 + 1j)
 
     def _misses(self, line: Line) -> bool:
         """Whether a line lies far from everything (or is too short to be seen)."""
+        low, high = self._box
         if isinstance(line, Arc):
             ends = [line.centre + line.radius * way for way in (1 + 1j, -1 - 1j)]
         else:
             ends = list(line.points) if isinstance(line, Path) else list(chain.from_iterable(line.segments))
-        low, high = self._box
+            first = ends[0]
+            if low.real <= first.real <= high.real and low.imag <= first.imag <= high.imag:
+                return False
         x, y = [place.real for place in ends], [place.imag for place in ends]
         return max(x) < low.real or min(x) > high.real or max(y) < low.imag or min(y) > high.imag
 
-    def _at_points(self, places: Places, within: float) -> NDArray[np.bool_]:
-        found = np.zeros(len(places), dtype=bool)
-        for point in self.points:
-            found |= np.abs(places - point) <= within
-        return found
+    def _is_inside(self, place: complex) -> bool:
+        """Whether a place is a point, or lies on a body."""
+        if any(abs(place - point) <= 1.0 for point in self.points):
+            return True
+        if any(abs(abs(place - centre) - radius) <= _NEAR for centre, radius in self.rims):
+            return True
+        return any(_is_beside(place, *ends) for member in self.members for ends in combinations(member, 2))
 
     def _strokes(self, line: Strokes, middles: Places, close: NDArray[np.bool_]) -> Iterator[Line]:
         """Those of the strokes with these middles that lie near points, or behind what the body rolls on."""
-        kept = close | self._on_rims(middles)
-        if kept.any():
-            yield Strokes(
-                tuple(s for s, near in zip(line.segments, kept, strict=True) if near), line.layer, _light(line)
-            )
+        kept = (close | self._on_rims(middles)).tolist()
+        if any(kept):
+            yield Strokes(tuple(compress(line.segments, kept)), line.layer, _light(line))
 
     def _kept(
         self,
@@ -141,10 +143,7 @@ class Surroundings(Struct, frozen=True, dict=True):
                 continue
             within = corners[(corners > first) & (corners < last)]
             run = places[np.concatenate(([first], within, [last]))]
-            if isinstance(line, Arc) and line.full and len(run) > 2 and abs(run[0] - run[-1]) < 1e-9:
-                yield line._replace(weight=_light(line))
-            else:
-                yield Path(tuple(run.tolist()), line.layer, _light(line), dash=line.dash)
+            yield _lighter(line, run.tolist())
 
     def _is_foreign(self, line: Line) -> bool:
         """Whether a line is the rim of another body."""
@@ -177,7 +176,7 @@ class Surroundings(Struct, frozen=True, dict=True):
         for member in self.members:
             if len(member) > 1:
                 ends = np.array(list(combinations(member, 2)), dtype=complex)
-                found |= (distances_to_segments(places, ends[:, :1], ends[:, 1:]) <= _NEAR).any(axis=0)
+                found |= (squares_to_segments(places, ends[:, :1], ends[:, 1:]) <= _NEAR**2).any(axis=0)
         return found
 
 
@@ -186,6 +185,13 @@ def _light(line: Line) -> float:
     if line.weight == 0:
         return 0.0
     return THIN if line.weight <= THIN else max(THIN, _LIGHTER * line.weight)
+
+
+def _lighter(line: Path | Arc, run: Sequence[complex]) -> Line:
+    """What of a line leads from one of these places to the next."""
+    if isinstance(line, Arc) and line.full and len(run) > 2 and abs(run[0] - run[-1]) < 1e-9:
+        return line._replace(weight=_light(line))
+    return Path(tuple(run), line.layer, _light(line), dash=line.dash)
 
 
 def _outline(line: Line) -> list[complex]:
@@ -202,20 +208,42 @@ def _squares(places: Places, points: Sequence[complex]) -> NDArray[np.float64]:
     return found
 
 
-def distances_to_segments(places: Places, starts: Places, ends: Places) -> NDArray[np.float64]:
-    """Distances from places of shape (N,) to segments between ends of shape (S, 1), shape (S, N)."""
+def squares_to_segments(places: Places, starts: Places, ends: Places) -> NDArray[np.float64]:
+    """The squares of the distances from places to segments between ends, whose shapes go together.
+
+    Places of shape (N,) and ends of shape (S, 1) give (S, N).
+    """
     ways = ends - starts
     squares = ways.real**2 + ways.imag**2
-    steps = places - starts
-    part = (steps * ways.conj()).real / np.where(squares > 1e-18, squares, 1.0)
-    found: NDArray[np.float64] = np.abs(steps - np.minimum(np.maximum(part, 0.0), 1.0) * ways)
+    x, y = places.real - starts.real, places.imag - starts.imag
+    part = (x * ways.real + y * ways.imag) / np.where(squares > 1e-18, squares, 1.0)
+    np.minimum(np.maximum(part, 0.0, out=part), 1.0, out=part)
+    x -= part * ways.real
+    y -= part * ways.imag
+    found: NDArray[np.float64] = x * x + y * y
     return found
+
+
+def _is_beside(place: complex, start: complex, end: complex) -> bool:
+    """Whether a place lies on the bar between two ends."""
+    way = end - start
+    square = way.real**2 + way.imag**2
+    part = ((place - start) * way.conjugate()).real / square if square > 1e-18 else 0.0
+    return abs(place - start - min(max(part, 0.0), 1.0) * way) <= _NEAR
+
+
+def corners_about(places: Sequence[complex]) -> tuple[complex, complex]:
+    """Lower left and upper right corner of the box about places."""
+    x, y = [p.real for p in places], [p.imag for p in places]
+    return complex(min(x), min(y)), complex(max(x), max(y))
 
 
 def size_of(extent: Sequence[complex]) -> complex:
     """Width and height of the box about places."""
-    x, y = [p.real for p in extent], [p.imag for p in extent]
-    return complex(max(x) - min(x), max(y) - min(y)) if extent else 0j
+    if not extent:
+        return 0j
+    low, high = corners_about(extent)
+    return high - low
 
 
 def largest(extent: Sequence[complex], width: float, height: float) -> float:

@@ -6,12 +6,14 @@ from collections.abc import Sequence
 from functools import cached_property
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.parameters.units import Unit, unit
 from variantgen.families.quantities import Quantity
 from variantgen.figure.build import Mechanism
 from variantgen.mechanism.outcome import Outcome
+from variantgen.mechanism.scene import Scene
 from variantgen.methods.graphical.vector_chain import VectorChain, chain_of
 from variantgen.methods.linkage.instant import Instant, instant
 from variantgen.methods.linkage.problem import Task, task_of
@@ -27,6 +29,11 @@ class MovingMechanism(Mechanism, frozen=True, dict=True):
     def now(self) -> Instant:
         """The numbers of its motion (SI)."""
         return instant(self.motion, self.index)
+
+    @cached_property
+    def scene(self) -> Scene:
+        """The numbers of the variant, of which ``now`` has more."""
+        return replace(self.now.scene, points={}, conditions=())
 
     @cached_property
     def task(self) -> Task:

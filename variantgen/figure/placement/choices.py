@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from itertools import islice
 
 import numpy as np
 from msgspec import Struct, field
+from numpy.typing import NDArray
 
 from variantgen.figure.drawing import THIN, Layer, Path
-from variantgen.figure.ink import boxes_crossed, crosses
+from variantgen.figure.ink import crosses
 from variantgen.figure.placement.label_requests import Costs, LabelRequest, Places
 
 GAP = 0.8  # free space around a label, u
@@ -19,6 +19,7 @@ TIGHT = 0.45  # free space that a label never gives up (half of a bold line), u
 INK, CLOSE, _LABEL, _PRODUCT = 100.0, 3.0, 300.0, 15.0
 _BESIDE = 2.4  # u
 _SWEEPS = 4
+_FEW = 32  # candidates of a label that are asked first; seldom another one costs less
 _AWAY = complex(1e6, 1e6)  # far from all paper
 _LEADER_GAP = 0.35  # between a leader and its label or the symbol, u
 
@@ -66,13 +67,13 @@ def resolve_overlaps(choices: Sequence[LabelChoice], first: Iterable[int]) -> se
     if not pending:
         return conflicts
     standing = _Standing(choices)
+    least = {}
     for _ in range(_SWEEPS):
         before = [choice.taken for choice in choices]
-        for i in sorted(pending, key=lambda i: (-float(choices[i].costs.min()), i)):
-            standing.take(i)
-            choices[i].take(standing.best(choices[i]))
-            standing.put(i, choices[i])
-        conflicts = set(conflicting(choices))
+        least |= {i: -float(np.minimum.reduce(choices[i].costs)) for i in pending if i not in least}
+        for i in sorted(pending, key=lambda i: (least[i], i)):
+            standing.move(i, choices[i])
+        conflicts = standing.conflicts()
         # A label that could be led to, but still lies on a line, tries again in view of what has moved.
         stuck = {i for i, choice in enumerate(choices) if choice.ends.size and choice.on_ink}
         done, pending = pending, conflicts | stuck
@@ -82,21 +83,21 @@ def resolve_overlaps(choices: Sequence[LabelChoice], first: Iterable[int]) -> se
     return conflicts
 
 
-def conflicting(choices: Sequence[LabelChoice]) -> list[int]:
-    """Labels that cover another one or read together with it."""
-    # Plain numbers: there are a few dozen pairs at most, and most are far apart.
-    known = sorted((c.place.real, c.place.imag, *c.request.box, i) for i, c in enumerate(choices))
-    widest = max(half_width for _, _, half_width, _, _ in known)
-    found: set[int] = set()
-    for number, (x, y, half_width, half_height, i) in enumerate(known):
-        for other_x, other_y, other_width, other_height, j in islice(known, number + 1, None):
-            dx, width = other_x - x, half_width + other_width
-            if dx >= half_width + widest + _BESIDE:
-                break
-            dy, height = abs(other_y - y), half_height + other_height
-            if (dx < width + TIGHT and dy < height + TIGHT) or (dx < width + _BESIDE and dy < 0.35 * height):
-                found |= {i, j}
-    return sorted(found)
+def conflicting(places: Places, boxes: Costs, figure: NDArray[np.intp] | None = None) -> list[int]:
+    """The numbers of labels that cover another one (of the same ``figure``) or read together with it.
+
+    ``boxes`` are half width and half height, shape (labels, 2).
+    """
+    dx, dy = np.abs(places.real[:, None] - places.real), np.abs(places.imag[:, None] - places.imag)
+    width, height = boxes[:, :1] + boxes[:, 0], boxes[:, 1:] + boxes[:, 1]
+    dx -= width
+    found = (dx < TIGHT) & (dy < height + TIGHT)
+    found |= (dx < _BESIDE) & (dy < 0.35 * height)
+    if figure is not None:
+        found &= figure[:, None] == figure
+    # Each lies over itself.
+    result: list[int] = (np.add.reduce(found, axis=0) > 1).nonzero()[0].tolist()
+    return result
 
 
 class _Standing:
@@ -106,49 +107,74 @@ class _Standing:
         self._places = np.array([choice.place for choice in choices])
         self._boxes = np.array([choice.request.box for choice in choices])
         self._leaders = [choice.leader for choice in choices]
+        self._cheapest: dict[int, tuple[NDArray[np.intp], float]] = {}
 
-    def take(self, i: int) -> None:
-        """Take a label away from the paper."""
+    def conflicts(self) -> set[int]:
+        """The numbers of labels that cover another one or read together with it."""
+        return set(conflicting(self._places, self._boxes))
+
+    def move(self, i: int, choice: LabelChoice) -> None:
+        """Move a label to the candidate that costs least in view of the others."""
         self._places[i], self._leaders[i] = _AWAY, None
-
-    def put(self, i: int, choice: LabelChoice) -> None:
-        """Put a label to its chosen place."""
+        if i not in self._cheapest:
+            self._cheapest[i] = _cheapest(choice.costs)
+        some, rest = self._cheapest[i]
+        best, cost = self._best(choice, some)
+        if cost >= rest:
+            best, _ = self._best(choice, np.arange(len(choice.costs)))
+        choice.take(best)
         self._places[i], self._leaders[i] = choice.place, choice.leader
 
-    def best(self, own: LabelChoice) -> int:
-        """The candidate of a label that costs least in view of what stands."""
-        costs = self._overlaps(own)
-        best = int((own.costs + costs).argmin())
+    def _best(self, own: LabelChoice, some: NDArray[np.intp]) -> tuple[int, float]:
+        """The one of ``some`` candidates of a label that costs least in view of what stands, and what it costs."""
+        costs = own.costs[some] + self._overlaps(own, own.places[some])
+        best = costs.argmin()
         # What its own leaders would cross only matters where one is wanted.
-        if best >= own.near:
-            costs[own.near :] += self._crossed_by_leaders(own)
-            best = int((own.costs + costs).argmin())
-        return best
+        if some[best] >= own.near:
+            led = int(some.searchsorted(own.near))
+            costs[led:] += self._crossed_by_leaders(own.places[some[led:]], own.ends[some[led:] - own.near])
+            best = costs.argmin()
+        return int(some[best]), float(costs[best])
 
-    def _overlaps(self, own: LabelChoice) -> Costs:
-        """Cost of the labels and leaders under each candidate of a label."""
+    def _overlaps(self, own: LabelChoice, places: Places) -> Costs:
+        """Cost of the labels and leaders under some candidates of a label."""
         half_width, half_height = own.request.box
-        across = np.abs(own.places.imag[:, None] - self._places.imag)
-        dx = np.abs(own.places.real[:, None] - self._places.real) - (self._boxes[:, 0] + half_width)
-        space = np.maximum(dx, across - (self._boxes[:, 1] + half_height))
+        # Shape (labels, candidates).
+        across = np.abs(places.imag - self._places.imag[:, None])
+        dx = np.abs(places.real - self._places.real[:, None])
+        dx -= self._boxes[:, :1] + half_width
+        space = np.maximum(dx, across - (self._boxes[:, 1:] + half_height))
         # Letters side by side on one line read as a product.
-        product = (dx < _BESIDE) & (across < 0.7 * half_height)
-        costs: Costs = _PRODUCT * np.add.reduce(product, axis=1)
+        product = dx < _BESIDE
+        product &= across < 0.7 * half_height
+        costs: Costs = _PRODUCT * np.add.reduce(product, axis=0)
         if (near := space < GAP).any():
-            costs += CLOSE * np.add.reduce(near, axis=1) + _LABEL * np.add.reduce(space < TIGHT, axis=1)
+            costs += CLOSE * np.add.reduce(near, axis=0) + _LABEL * np.add.reduce(space < TIGHT, axis=0)
         leaders = [leader.points for leader in self._leaders if leader]
         if leaders:
-            box = (half_width + TIGHT, half_height + TIGHT)
-            costs += _LABEL * boxes_crossed(own.places, box, np.array(leaders))
+            starts, ends = np.array(leaders).T[..., None]
+            ways = 0.5 * (ends - starts)
+            crossed = crosses(starts + ways - places, ways, (half_width + TIGHT, half_height + TIGHT))
+            costs += _LABEL * np.add.reduce(crossed, axis=0)
         return costs
 
-    def _crossed_by_leaders(self, own: LabelChoice) -> Costs:
-        """Cost of the labels that the leaders of a label would cross."""
+    def _crossed_by_leaders(self, places: Places, ends: Places) -> Costs:
+        """Cost of the labels that leaders from some ends to these places would cross."""
         boxes = self._boxes + TIGHT
-        ways = 0.5 * (own.places[own.near :] - own.ends)
-        middles = own.ends + ways - self._places[:, None]
+        ways = 0.5 * (places - ends)
+        middles = ends + ways - self._places[:, None]
         crossed: Costs = _LABEL * np.add.reduce(crosses(middles, ways, (boxes[:, :1], boxes[:, 1:])), axis=0)
         return crossed
+
+
+def _cheapest(costs: Costs) -> tuple[NDArray[np.intp], float]:
+    """The numbers of some of the cheapest candidates, and what every other one costs at least."""
+    if len(costs) <= _FEW:
+        return np.arange(len(costs)), np.inf
+    order = costs.argpartition(_FEW)
+    some = order[:_FEW]
+    some.sort()
+    return some, float(costs[order[_FEW]])
 
 
 def _leader(request: LabelRequest, place: complex, to: complex) -> Path | None:

@@ -64,18 +64,25 @@ _AROUND_COSTS = (
     np.array([0.0, 1.5, 4.0, 7.0])[:, None] + (0.3 * (np.arange(16) % 4 != 0) + 0.01 * np.arange(16))[None, :]
 ).ravel()
 _FAR_WAYS = np.exp(1j * math.tau * np.arange(24) / 24)
-_FAR_RINGS = np.array([4.0, 6.5, 9.0, 12.0, 16.0, 21.0])
+_FAR_RINGS = np.array([4.0, 6.5, 9.0, 12.0, 16.0, 21.0])[:, None]
+_FAR_COSTS = _FAR_RINGS + 0.01 * np.arange(24)
 # A level leader that ends before a number reads as its minus sign.
-_AS_MINUS = np.where(_FAR_WAYS.real > math.cos(math.radians(20)), 15.0, 0.0)
+_FAR_COSTS_OF_NUMBERS = _FAR_COSTS + np.where(_FAR_WAYS.real > math.cos(math.radians(20)), 15.0, 0.0)
 _AS_SHAFT, _NEARLY_AHEAD = 15.0, math.cos(math.radians(20))  # a leader that goes on past a head reads as its shaft
 _NOT_AT_ANCHOR = 2.0  # cost of a leader that ends at a further place
 _ON_SHAFT = 0.5  # where such a place is on an arrow
 _PARTS = np.array([0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74])
 # Beside an arrow: distances, both sides of each part; before its head. The farthest are for want of any other place: a
 # leader is better.
-_ASIDE = np.array([_OFF, 3.5, 7.0])[:, None]
-_SIDES = np.array([1.0, -1.0])[:, None]
+_ASIDE = np.array([_OFF, 3.5, 7.0])
 _AHEAD = np.array([1.0, 2.5, 5.0, 8.0, 11.0])
+# The same along the arrow for its length, for what the label takes aside and ahead of it, and without all that.
+_BY_ARROW = np.concatenate(
+    (
+        [(part, side, 0.0, side * off) for off in _ASIDE for side in (1j, -1j) for part in _PARTS],
+        [(1.0, 0.0, 1.0, off) for off in _AHEAD],
+    )
+)
 _ARROW_COSTS = np.concatenate(
     (
         (
@@ -86,15 +93,24 @@ _ARROW_COSTS = np.concatenate(
         [1.5, 3.0, 8.0, 40.0, 50.0],
     )
 )
-_ARC_PARTS = np.array([0.5, 0.35, 0.65, 0.2, 0.8, 0.0, 1.0])
+_ARC_PARTS = (0.5, 0.35, 0.65, 0.2, 0.8, 0.0, 1.0)
+_OFF_MIDDLE = 4 * np.abs(np.array(_ARC_PARTS) - 0.5)
 _ARC_RINGS = np.array([0.0, 1.1, 2.5, 4.3]) + _OFF
-_ARC_COSTS = (np.array([0.0, 1.5, 3.0, 6.0])[None, :] + 4 * np.abs(_ARC_PARTS - 0.5)[:, None]).ravel()
+_ARC_COSTS = (np.array([0.0, 1.5, 3.0, 6.0])[None, :] + _OFF_MIDDLE[:, None]).ravel()
 
 
-def _support(box: tuple[float, float], ways: Places) -> NDArray[np.float64]:
-    """How far the centre of a box must be from a point that it touches in each direction (u)."""
+def _beyond(ways: Places) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """How far one goes in each direction to get on by a unit along x and along y."""
     with np.errstate(divide="ignore"):
-        result: NDArray[np.float64] = np.minimum(box[0] / np.abs(ways.real), box[1] / np.abs(ways.imag))
+        return 1.0 / np.abs(ways.real), 1.0 / np.abs(ways.imag)
+
+
+_BEYOND, _FAR_BEYOND = _beyond(_WAYS), _beyond(_FAR_WAYS)
+
+
+def _support(box: tuple[float, float], beyond: tuple[NDArray[np.float64], NDArray[np.float64]]) -> NDArray[np.float64]:
+    """How far the centre of a box must be from a point that it touches in each direction (u)."""
+    result: NDArray[np.float64] = np.minimum(box[0] * beyond[0], box[1] * beyond[1])
     return result
 
 
@@ -107,25 +123,23 @@ def around(formula: Formula, point: complex, clear: float) -> LabelRequest:
 def _offsets(formula: Formula, clear: float) -> Places:
     """From a point to the candidates around it."""
     width, height = label_size(formula)
-    support = _support((0.5 * width, 0.5 * height), _WAYS)
+    support = _support((0.5 * width, 0.5 * height), _BEYOND)
     found: Places = (_WAYS[None, :] * (clear + _OFF + _RINGS[:, None] + support[None, :])).ravel()
     return found
 
 
 def far_from(request: LabelRequest) -> tuple[Places, Costs, Places]:
     """Candidates far from what is named, which need a leader, their costs, and where it ends: shape (P,) each."""
-    support = _support(request.box, _FAR_WAYS)
     ends = np.array([request.anchor, *request.further])
-    steps = _FAR_WAYS * (request.clear + _FAR_RINGS[:, None] + support)
-    is_number = isinstance(request.formula, Number | Measured)
-    ways = (0.01 * np.arange(24) + is_number * _AS_MINUS) * np.ones((len(ends), 1))
-    ways[1:] += _NOT_AT_ANCHOR
+    steps = _FAR_WAYS * (request.clear + _FAR_RINGS + _support(request.box, _FAR_BEYOND))
+    own = _FAR_COSTS_OF_NUMBERS if isinstance(request.formula, Number | Measured) else _FAR_COSTS
+    costs = np.array([own] * len(ends))
+    costs[1:] += _NOT_AT_ANCHOR
     if request.arrow is not None:
         start, tip = request.arrow
         ahead = (_FAR_WAYS * (tip - start).conjugate()).real / abs(tip - start)
-        ways[0] += _AS_SHAFT * (ahead > _NEARLY_AHEAD)
-        ways[1:] += _AS_SHAFT * (np.abs(ahead) > _NEARLY_AHEAD)
-    costs = _FAR_RINGS[:, None] + ways[:, None, :]
+        costs[0] += _AS_SHAFT * (ahead > _NEARLY_AHEAD)
+        costs[1:] += _AS_SHAFT * (np.abs(ahead) > _NEARLY_AHEAD)
     places = ends[:, None, None] + steps
     return places.ravel(), costs.ravel(), ends.repeat(steps.size)
 
@@ -158,10 +172,9 @@ def along_arrow(formula: Formula, start: complex, end: complex) -> LabelRequest:
     width, height = label_size(formula)
     step = end - start
     way = step / abs(step)
-    aside = 0.5 * (width * abs(way.imag) + height * abs(way.real))
-    ahead = end + way * (_AHEAD + 0.5 * (width * abs(way.real) + height * abs(way.imag)))
-    beside = start + _PARTS * step + 1j * way * ((aside + _ASIDE)[:, :, None] * _SIDES)
-    places = np.concatenate((beside.ravel(), ahead))
+    x, y = abs(way.real), abs(way.imag)
+    aside, ahead = 0.5 * (width * y + height * x), 0.5 * (width * x + height * y)
+    places = start + way * (_BY_ARROW @ np.array([abs(step), aside, ahead, 1.0], dtype=complex))
     extent = tuple(start + part * step for part in (0.0, 0.25, 0.5, 0.75))
     return LabelRequest(formula, end, places, _ARROW_COSTS, extent, vector=True, further=(start + _ON_SHAFT * step,))
 
@@ -171,13 +184,14 @@ def along_arc(
 ) -> LabelRequest:
     """Candidates outside an arc, best at its middle; with ``inner`` also inside a wide one."""
     width, height = label_size(formula)
-    ways = np.exp(1j * (start + _ARC_PARTS * sweep))
-    support = 0.5 * (width * np.abs(ways.real) + height * np.abs(ways.imag))
-    places = centre + ways[:, None] * (radius + _ARC_RINGS[None, :] + support[:, None])
-    middle = centre + cmath.rect(radius, start + 0.5 * sweep)
+    ways = [cmath.rect(1.0, start + part * sweep) for part in _ARC_PARTS]
+    supports = [[0.5 * (width * abs(way.real) + height * abs(way.imag))] for way in ways]
+    directions = np.array(ways)
+    places = centre + directions[:, None] * (radius + _ARC_RINGS + supports)
+    middle = centre + radius * ways[0]
     extent = tuple(centre + cmath.rect(radius, start + part * sweep) for part in (0.0, 0.25, 0.75, 1.0))
     found, costs = places.ravel(), _ARC_COSTS
     if inner and abs(sweep) > _WIDE:
-        found = np.concatenate((found, centre + 0.6 * radius * ways))
-        costs = np.concatenate((costs, 2.5 + 4 * np.abs(_ARC_PARTS - 0.5)))
+        found = np.concatenate((found, centre + 0.6 * radius * directions))
+        costs = np.concatenate((costs, 2.5 + _OFF_MIDDLE))
     return LabelRequest(formula, middle, found, costs, extent)

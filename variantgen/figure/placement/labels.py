@@ -9,7 +9,7 @@ off and gets a thin leader.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from itertools import accumulate
+from itertools import accumulate, pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -27,7 +27,7 @@ from variantgen.figure.placement.occupancy import Occupancy
 _INK_CELL, _LEADER, _CUT, _CUT_BY_VECTOR = 2.0, 30.0, 4.0, 10.0
 _FAR = 35.0  # cost from which on the letter of a vector is so far off or so misleading that a leader may be better
 _FIRST = 10  # candidates of each label that are asked first what they could be mistaken for
-_ON_LEADER = np.linspace(0.0, 1.0, 24)  # places along a leader that are looked at
+_ON_LEADER = np.linspace(0.0, 1.0, 24)[:, None]  # places along a leader that are looked at
 
 
 class WantedLabels(NamedTuple):
@@ -56,7 +56,7 @@ def place_labels(figures: Sequence[WantedLabels]) -> list[PlacedLabels]:
     """
     papers = _Papers(figures)
     choices = papers.near_choices()
-    first = [conflicting(own) for own in choices]
+    first = papers.conflicting(choices)
     conflicts = [resolve_overlaps(own, of) for own, of in zip(choices, first, strict=True)]
     misread = papers.add_misread(choices, [number for number, of in enumerate(first) if of])
     crowded = [_crowded(own) | of for own, of in zip(choices, conflicts, strict=True)]
@@ -113,7 +113,13 @@ class _Papers:
             LabelChoice(request, own[:size], cost[:size], taken, complex(own[taken]))
             for request, own, cost, size, taken in zip(self._requests, places, costs, count, best, strict=True)
         ]
-        return [choices[start:end] for start, end in zip(self._first, self._first[1:], strict=False)]
+        return [choices[start:end] for start, end in pairwise(self._first)]
+
+    def conflicting(self, choices: Sequence[Sequence[LabelChoice]]) -> list[list[int]]:
+        """The labels of each figure that cover another one or read together with it."""
+        places = np.array([choice.place for own in choices for choice in own])
+        found = conflicting(places, np.array([r.box for r in self._requests]), self._figure)
+        return [[i - first for i in found if first <= i < after] for first, after in pairwise(self._first)]
 
     def misread(self, choices: Sequence[Sequence[LabelChoice]], figures: Sequence[int]) -> list[tuple[int, int]]:
         """The labels of some figures that would be read with another arrow where they stand: figure, number there."""
@@ -155,10 +161,10 @@ class _Papers:
         clear = np.array([request.clear + 0.8 for request in requests]).repeat(count)[free]
         steps = places[free] - ends[free]
         start = ends[free] + clear * steps / np.abs(steps)
-        samples = start[:, None] + _ON_LEADER * (places[free] - start)[:, None]
-        cut = self._occupancy.taken(samples, 0.05, 0.05, figure[free, None]) > 0
+        samples = start + _ON_LEADER * (places[free] - start)
+        cut = self._occupancy.taken(samples, 0.05, 0.05, figure[free]) > 0
         each = np.array([_CUT_BY_VECTOR if request.vector else _CUT for request in requests]).repeat(count)[free]
-        costs[free] += each * (cut[:, 0] + np.add.reduce(cut[:, 1:] & ~cut[:, :-1], axis=1))
+        costs[free] += each * (cut[0] + np.add.reduce(cut[1:] & ~cut[:-1], axis=0))
         for choice, size, end in zip(own, count, accumulate(count), strict=True):
             part = slice(end - size, end)
             choice.places = np.concatenate((choice.places, places[part]))

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from variantgen.figure.drawing import Drawing
-from variantgen.figure.faults import buried_heads, count_label_faults, leaders, misread_labels
+from variantgen.figure.faults import buried_heads, count_label_faults, misread_labels
 from variantgen.figure.making import Making, Unlettered
+from variantgen.figure.sketch import Lettered
 
 _FAULT, _BURIED = 10, 3  # a label that is crossed or covered, a head of an arrow that is, in leaders
 _FEW, _SHARE = 2, 6  # leaders that do not make a drawing crowded: so many, or one for so many labels
@@ -14,32 +14,49 @@ _FEW, _SHARE = 2, 6  # leaders that do not make a drawing crowded: so many, or o
 
 def first_clean(drafts: Iterable[Unlettered]) -> Making:
     """The first drawing without a fault of its labels, or the one with the fewest faults; there is at least one."""
-    return _first(drafts, lambda drawing: count_label_faults(drawing) if drawing.doubtful else 0)
+    return _first(drafts, lambda draft: 0, lambda found: count_label_faults(found.drawing) if found.doubtful else 0)
 
 
 def first_roomy(drafts: Iterable[Unlettered]) -> Making:
-    """The same, where labels that are led to from afar are too many as well."""
-    return _first(drafts, _crowding)
+    """The same, where labels that are led to from afar and buried heads of arrows are too many as well."""
+    return _first(drafts, lambda draft: _BURIED * len(buried_heads(draft.sketch.lines)), _crowding)
 
 
-def _crowding(drawing: Drawing) -> int:
-    """Faults, buried heads, and the leaders that are too many for the labels of a drawing."""
-    allowed = max(_FEW, len(drawing.labels) // _SHARE)
-    faults = count_label_faults(drawing) + len(misread_labels(drawing)) if drawing.doubtful else 0
-    return _FAULT * faults + _BURIED * len(buried_heads(drawing)) + max(0, len(leaders(drawing)) - allowed)
+def _crowding(found: Lettered) -> int:
+    """Faults of labels, and the leaders that are too many for them."""
+    allowed = max(_FEW, len(found.labels) // _SHARE)
+    faults = count_label_faults(found.drawing) + len(misread_labels(found.drawing)) if found.doubtful else 0
+    return _FAULT * faults + max(0, len(found.leaders) - allowed)
 
 
-def _first(drafts: Iterable[Unlettered], crowding: Callable[[Drawing], int]) -> Making:
-    """The first drawing that is not crowded, or the least crowded one; no more are made than are looked at."""
-    best: tuple[int, Drawing] | None = None
-    for draft in drafts:
-        drawing = yield draft
-        if drawing.width >= draft.widest:
+def _first(
+    drafts: Iterable[Unlettered], bare: Callable[[Unlettered], int], crowding: Callable[[Lettered], int]
+) -> Making:
+    """The first drawing that is not crowded, or the least crowded one; no more are made than are looked at.
+
+    Crowded it may be without labels (``bare``) and with them (``crowding``). What is so without any is lettered last.
+    """
+    waiting: list[tuple[int, int, Unlettered]] = []
+    best: tuple[int, int, Lettered] | None = None
+    for number, draft in enumerate(drafts):
+        if draft.sketch.width >= draft.widest:
             continue
-        found = crowding(drawing)
-        if not found:
-            return drawing
-        if best is None or found < best[0]:
-            best = (found, drawing)
+        if without := bare(draft):
+            waiting.append((without, number, draft))
+            continue
+        found = yield draft
+        if found.width >= draft.widest:
+            continue
+        crowded = crowding(found)
+        if not crowded:
+            return found.drawing
+        if best is None or crowded < best[0]:
+            best = (crowded, number, found)
+    for without, number, draft in waiting:
+        if best is None or (without, number) < best[:2]:
+            found = yield draft
+            crowded = without + crowding(found)
+            if found.width < draft.widest and (best is None or (crowded, number) < best[:2]):
+                best = (crowded, number, found)
     assert best is not None
-    return best[1]
+    return best[2].drawing

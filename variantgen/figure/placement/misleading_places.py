@@ -14,7 +14,7 @@ from variantgen.figure.placement.occupancy import Occupancy
 # Costs of a label nearer to another point than to its own, of a rate nearer to another one's arrow than to its own
 # (which would be misread), of a line between a label and what it names.
 _STRANGER, MISREAD, _BARRIER = 12.0, 60.0, 14.0
-_BETWEEN = np.array([0.4, 0.55, 0.7, 0.85, 1.0])  # places on the way from a label to what it names
+_BETWEEN = np.array([[0.4], [0.55], [0.7], [0.85], [1.0]])  # places on the way from a label to what it names
 _PLAINLY = 0.2  # how much nearer to its own arrow than to another the name of an arrow stands, u
 _OWN = 1.0  # where that way ends before a line or symbol that is named, u
 _AWAY = complex(1e6, 1e6)  # where there is no point, u
@@ -46,21 +46,20 @@ class MisleadingPlaces:
             arrow_of.append(-1 if arrow is None else len(arrows[number]))
             if arrow is not None:
                 arrows[number].append(arrow)
-        # Those of arrows and lines first; shape (figures, points).
+        # Those of arrows and lines first; shape (points, figures), since numpy is quick along the last axis.
         self._extended = max(map(len, extended))
-        self._points = np.concatenate((_rows(extended), _rows(points)), axis=1)
-        count = np.array([len(r.own) for r in requests])
-        own = np.array([p for r in requests for p in r.own])
+        self._points = np.concatenate((_columns(extended), _columns(points)))
+        # Shape (places of a label, labels).
+        own = _columns([r.own for r in requests])
         # A stranger at the very place that a label names is no stranger.
-        same = np.abs(self._points[figure.repeat(count)] - own[:, None]) < 1e-6
-        self._own = np.logical_or.reduceat(same, count.cumsum() - count, axis=0)
+        of_label = self._points[:, figure]
+        self._own = np.logical_or.reduce([np.abs(of_label - places) < 1e-6 for places in own])
         self._clear = np.array([r.clear + _OWN for r in requests])
-        self._boxes = np.array([r.box for r in requests])
+        self._half_width, self._half_height = np.array([r.box for r in requests]).T
         self._is_extended = np.array([bool(r.extent) for r in requests])
         self._arrow_of = np.array(arrow_of)
-        self._arrows = np.full((len(arrows), max(map(len, arrows)), 2), _AWAY)
-        for row, known in zip(self._arrows, arrows, strict=True):
-            row[: len(known)] = np.array(known, dtype=complex).reshape(-1, 2)
+        starts, tips = ([[arrow[end] for arrow in own] for own in arrows] for end in (0, 1))
+        self._arrows = np.stack((_columns(starts), _columns(tips)), axis=-1)
 
     def costs(self, places: Places, owner: NDArray[np.intp]) -> Costs:
         """Cost of each candidate of the labels ``owner`` that could be taken to name something else, shape (N,).
@@ -68,21 +67,20 @@ class MisleadingPlaces:
         It is nearer to a foreign point (or a foreign arrow) than to what the label names, or a line runs between.
         """
         figure = self._figure[owner]
-        steps = self._points[figure] - places[:, None]
+        steps = self._points[:, figure] - places
         squares = steps.real**2 + steps.imag**2
-        mine = self._own[owner]
+        mine = self._own[:, owner]
         own = np.where(mine, squares, np.inf)
-        rows, own_at = np.arange(len(own)), own.argmin(axis=1)
-        nearest = own[rows, own_at]
-        way = steps[rows, own_at]
+        nearest = np.minimum.reduce(own, axis=0)
+        way = steps[own.argmin(axis=0), np.arange(len(places))]
         way *= np.maximum(0.0, 1.0 - self._clear[owner] / np.sqrt(nearest))
-        between = places[:, None] + _BETWEEN * way[:, None]
-        inked = self._occupancy.taken(between, 0.05, 0.05, figure[:, None])
+        between = places + _BETWEEN * way
+        inked = self._occupancy.taken(between, 0.05, 0.05, figure)
         squares[mine] = np.inf
-        foreign = np.minimum.reduce(squares[:, : self._extended], axis=1, initial=np.inf)
-        other = np.minimum.reduce(squares[:, self._extended :], axis=1, initial=np.inf)
+        foreign = np.minimum.reduce(squares[: self._extended], axis=0, initial=np.inf)
+        other = np.minimum.reduce(squares[self._extended :], axis=0, initial=np.inf)
         result: Costs = _STRANGER * (np.minimum(foreign, other) < nearest)
-        result += _BARRIER * (np.maximum.reduce(inked, axis=1) > 0)
+        result += _BARRIER * (np.maximum.reduce(inked, axis=0) > 0)
         misread = self._is_extended[owner] & (foreign < nearest)
         result += MISREAD * (misread | self.misread(places, owner))
         return result
@@ -94,18 +92,17 @@ class MisleadingPlaces:
         if not of.size:
             return found
         label = owner[of]
-        boxes = self._boxes[label]
-        gaps = gaps_to_box(places[of, None], (boxes[:, :1], boxes[:, 1:]), self._arrows[self._figure[label]])
-        at = np.arange(len(of)), self._arrow_of[label]
+        half_sides = self._half_width[label], self._half_height[label]
+        gaps = gaps_to_box(places[of], half_sides, self._arrows[:, self._figure[label]])
+        at = self._arrow_of[label], np.arange(len(of))
         own = gaps[at]
         gaps[at] = np.inf
-        found[of] = np.minimum.reduce(gaps, axis=1) < own + _PLAINLY
+        found[of] = np.minimum.reduce(gaps, axis=0) < own + _PLAINLY
         return found
 
 
-def _rows(places: Sequence[Sequence[complex]]) -> Places:
-    """Rows of places, the shorter ones filled up with one that is far away."""
-    found = np.full((len(places), max(map(len, places))), _AWAY)
-    for row, known in zip(found, places, strict=True):
-        row[: len(known)] = known
-    return found
+def _columns(places: Sequence[Sequence[complex]]) -> Places:
+    """Columns of places, the shorter ones filled up with one that is far away."""
+    most = max(map(len, places))
+    rows = [[*known, *[_AWAY] * (most - len(known))] for known in places]
+    return np.array(rows, dtype=complex).reshape(len(places), most).T

@@ -13,9 +13,10 @@ from variantgen.figure.ink import Segments, Sides
 CELL = 0.5  # side of a cell, u: below the free space that a label keeps
 _STEP = 0.75  # of samples along a segment, cells: no cell that a segment crosses in the middle is missed
 _EDGE = 2.0  # empty border, u
+_SUM = np.uint16  # of cells: differences of sums are right even where a sum is too large for it
 
 Places = NDArray[np.complex128]
-Counts = NDArray[np.int32]
+Counts = NDArray[np.uint16]
 
 
 class Occupancy:
@@ -37,19 +38,20 @@ class Occupancy:
         self._last_column, self._last_row = columns - 1, self._rows - 1
         sizes = columns * self._rows
         self._start = sizes.cumsum(dtype=np.int32) - sizes
-        points, each = _samples(every[0::2], every[1::2])
+        inked_x, inked_y, each = _samples(every[0::2], every[1::2])
         figure = np.arange(len(figures)).repeat(np.add.reduceat(each, first // 2))
-        column = ((points.real - self._left[figure]) / CELL).astype(np.intp) + 1
-        row = ((points.imag - self._low[figure]) / CELL).astype(np.intp) + 1
-        self._sums = np.zeros(int(sizes.sum()), dtype=np.int32)
+        column = ((inked_x - self._left[figure]) / CELL).astype(np.intp) + 1
+        row = ((inked_y - self._low[figure]) / CELL).astype(np.intp) + 1
+        self._sums = np.zeros(int(sizes.sum()), dtype=_SUM)
         self._sums[self._start[figure] + row * columns[figure] + column] = 1
         for number, (start, size) in enumerate(zip(self._start.tolist(), sizes.tolist(), strict=True)):
             own = self._sums[start : start + size]
             if not len(figures[number]):
                 own[:] = 0
-            # Sums along columns would cost four times as much as sums along rows: in between, the table is turned.
-            table = np.add.accumulate(own.reshape(self._rows[number], -1), axis=1)
-            np.add.accumulate(np.ascontiguousarray(table.T), axis=1, out=own.reshape(-1, self._rows[number]))
+            # Sums of its own type, and along rows, take a fraction of the time: in between, the table is turned.
+            table = np.add.accumulate(own.reshape(self._rows[number], -1), axis=1, dtype=_SUM)
+            turned = np.ascontiguousarray(table.T)
+            np.add.accumulate(turned, axis=1, dtype=_SUM, out=own.reshape(-1, self._rows[number]))
 
     def taken(self, places: Places, half_width: Sides, half_height: Sides, figure: Any = 0) -> Counts:
         """Number of inked cells that the box about each place touches, on the paper of each ``figure`` (number).
@@ -76,11 +78,13 @@ class Occupancy:
         return np.minimum(np.maximum(cells, 0, out=cells), last, out=cells)
 
 
-def _samples(start: Places, end: Places) -> tuple[Places, NDArray[np.intp]]:
-    """Points along all segments, nearer to each other than a cell, and how many each segment has."""
+def _samples(start: Places, end: Places) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.intp]]:
+    """x and y of points along all segments, nearer to each other than a cell, and how many each segment has."""
     step = end - start
     count = (np.abs(step) / (_STEP * CELL)).astype(np.intp) + 2
     ends = count.cumsum()
     part = np.arange(ends[-1]) - (ends - count).repeat(count)
-    result: Places = start.repeat(count) + part / (count - 1).repeat(count) * step.repeat(count)
-    return result, count
+    part = part / (count - 1).repeat(count)
+    x = start.real.repeat(count) + part * step.real.repeat(count)
+    y = start.imag.repeat(count) + part * step.imag.repeat(count)
+    return x, y, count

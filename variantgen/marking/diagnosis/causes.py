@@ -2,7 +2,7 @@
 
 A mistake is recognised where its result is as near to the number as the tolerance of the answer allows; of several the
 nearest is told, of equally near ones the first in the order of the rules. It is a suspicion and nothing more: it may
-give a share of the points (see :mod:`variantgen.exam.marking_policy`), and never takes any.
+give a share of the points (see :mod:`variantgen.exam.sections.marking_policy`), and never takes any.
 """
 
 from __future__ import annotations

@@ -10,7 +10,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from variantgen.errors import InputError, Problem
-from variantgen.exam.marking_policy import MarkingPolicy
+from variantgen.exam.sections.marking_policy import MarkingPolicy
 from variantgen.finished.restore import Finished
 from variantgen.marking.answer_tables import ReadAnswers
 from variantgen.marking.key import Key

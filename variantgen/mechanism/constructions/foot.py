@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from msgspec import Struct
 
-from variantgen.mechanism.arithmetic import Complex, Flags, dot, unit_towards, unit_vector
+from variantgen.mechanism.arithmetic import Complex, Flags, dot, line_direction
 from variantgen.mechanism.component import Angle, PointName
 from variantgen.mechanism.outcome import Outcome
 
@@ -25,9 +25,5 @@ class Foot(Struct, frozen=True):
     def place(self, at: Mapping[str, Complex]) -> tuple[Complex, Flags]:
         """Position (m) and whether the line exists."""
         start = at[self.through]
-        apart: Flags = True
-        if self.towards is None:
-            ray = unit_vector(self.angle)
-        else:
-            ray, apart = unit_towards(start, at[self.towards])
+        ray, apart = line_direction(at, self.through, self.angle, self.towards)
         return start + dot(ray, at[self.of] - start) * ray, apart

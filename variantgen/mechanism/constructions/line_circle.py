@@ -8,7 +8,7 @@ from typing import ClassVar
 import numpy as np
 from msgspec import Struct
 
-from variantgen.mechanism.arithmetic import Complex, Flags, cross, dot, unit_towards, unit_vector
+from variantgen.mechanism.arithmetic import Complex, Flags, cross, dot, line_direction
 from variantgen.mechanism.component import Angle, PointName, Sense, Size
 from variantgen.mechanism.outcome import Outcome
 
@@ -35,11 +35,7 @@ class LineCircle(Struct, frozen=True):
     def place(self, at: Mapping[str, Complex]) -> tuple[Complex, Flags]:
         """Position (m) and whether the line meets the circle."""
         start = at[self.through]
-        apart: Flags = True
-        if self.towards is None:
-            ray = unit_vector(self.angle)
-        else:
-            ray, apart = unit_towards(start, at[self.towards])
+        ray, apart = line_direction(at, self.through, self.angle, self.towards)
         offset = at[self.centre] - start
         height = np.abs(cross(ray, offset))
         room = (self.distance - height) * (self.distance + height)

@@ -8,7 +8,7 @@ from typing import ClassVar
 import numpy as np
 from msgspec import Struct
 
-from variantgen.mechanism.arithmetic import EPS, Complex, Flags, cross, unit_towards, unit_vector
+from variantgen.mechanism.arithmetic import EPS, Complex, Flags, cross, line_direction
 from variantgen.mechanism.component import Angle, PointName
 from variantgen.mechanism.outcome import Outcome
 
@@ -34,15 +34,9 @@ class LineLine(Struct, frozen=True):
 
     def place(self, at: Mapping[str, Complex]) -> tuple[Complex, Flags]:
         """Position (m) and whether the lines cross."""
-        u, u_exists = _direction(at, self.first, self.first_angle, self.first_towards)
-        w, w_exists = _direction(at, self.second, self.second_angle, self.second_towards)
+        u, u_exists = line_direction(at, self.first, self.first_angle, self.first_towards)
+        w, w_exists = line_direction(at, self.second, self.second_angle, self.second_towards)
         sine = cross(u, w)
         crosses = u_exists & w_exists & (np.abs(sine) > 16 * EPS)
         along_line = cross(at[self.second] - at[self.first], w) / np.where(crosses, sine, 1.0)
         return at[self.first] + along_line * u, crosses
-
-
-def _direction(at: Mapping[str, Complex], start: str, angle: Angle, towards: str | None) -> tuple[Complex, Flags]:
-    if towards is None:
-        return unit_vector(angle), True
-    return unit_towards(at[start], at[towards])

@@ -9,7 +9,8 @@ import numpy as np
 
 from variantgen.mechanism.arithmetic import Complex, Flags, Real
 from variantgen.mechanism.component import BodyName, PointName
-from variantgen.mechanism.rows import Joint, Placement, ScalarRow, Shape, Sliding, Speeds
+from variantgen.mechanism.joint import Joint, Sliding
+from variantgen.mechanism.rows import Placement, ScalarRow, Shape, Speeds
 
 
 class ArcSlot(Joint, frozen=True):

@@ -9,8 +9,9 @@ import numpy as np
 
 from variantgen.mechanism.arithmetic import Complex, Flags, Real, cross
 from variantgen.mechanism.component import BodyName, PointName, Size
+from variantgen.mechanism.joint import BodyContact, Joint, JointCircle
 from variantgen.mechanism.pitch import can_touch, line_of_centres, other_radius
-from variantgen.mechanism.rows import BodyContact, Joint, JointCircle, Placement, ScalarRow, Shape, Speeds
+from variantgen.mechanism.rows import Placement, ScalarRow, Shape, Speeds
 
 
 class Gears(Joint, frozen=True):

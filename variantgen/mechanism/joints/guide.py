@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from variantgen.mechanism.arithmetic import Complex, Real, cross
 from variantgen.mechanism.component import Angle, PointName
-from variantgen.mechanism.rows import Joint, Placement, ScalarRow, Shape, Speeds
+from variantgen.mechanism.joint import Joint
+from variantgen.mechanism.rows import Placement, ScalarRow, Shape, Speeds
 
 
 class Guide(Joint, frozen=True):

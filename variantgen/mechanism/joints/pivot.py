@@ -6,7 +6,8 @@ import numpy as np
 
 from variantgen.mechanism.arithmetic import Complex, Real
 from variantgen.mechanism.component import PointName
-from variantgen.mechanism.rows import Joint, Placement, Shape, Speeds, VectorRow
+from variantgen.mechanism.joint import Joint
+from variantgen.mechanism.rows import Placement, Shape, Speeds, VectorRow
 
 
 class Pivot(Joint, frozen=True):

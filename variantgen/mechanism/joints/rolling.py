@@ -9,17 +9,8 @@ import numpy as np
 
 from variantgen.mechanism.arithmetic import Complex, Flags, Real, dot, unit_vector
 from variantgen.mechanism.component import BodyName, PointName
-from variantgen.mechanism.rows import (
-    BodyContact,
-    Joint,
-    JointCircle,
-    Placement,
-    Row,
-    ScalarRow,
-    Shape,
-    Speeds,
-    VectorRow,
-)
+from variantgen.mechanism.joint import BodyContact, GroundWheel, Joint, JointCircle
+from variantgen.mechanism.rows import Placement, Row, ScalarRow, Shape, Speeds, VectorRow
 
 
 class Rolling(Joint, frozen=True):
@@ -51,6 +42,10 @@ class Rolling(Joint, frozen=True):
         if self.on is not None and self.on_point is not None:
             points, bodies = (self.centre, self.on_point), (self.body, self.on)
         return (Shape(points, bodies) if self.axle_held else Shape(points, bodies, self.centre, self.on_point),)
+
+    def on_ground(self) -> GroundWheel | None:
+        """The wheel, where the line is at rest."""
+        return GroundWheel(self.body, self.centre, contact=self.contact) if self.on is None else None
 
     def when_surplus(self) -> str:
         """A second line or a guide holds the axle: the wheel then needs one condition, along the line."""

@@ -9,8 +9,9 @@ import numpy as np
 
 from variantgen.mechanism.arithmetic import Complex, Flags, Real, unit_vector
 from variantgen.mechanism.component import BodyName, PointName, Size
+from variantgen.mechanism.joint import BodyContact, GroundWheel, Joint, JointCircle
 from variantgen.mechanism.pitch import can_touch, line_of_centres, other_radius
-from variantgen.mechanism.rows import BodyContact, Joint, JointCircle, Placement, Shape, Speeds, VectorRow
+from variantgen.mechanism.rows import Placement, Shape, Speeds, VectorRow
 
 
 class RollingOnCircle(Joint, frozen=True):
@@ -39,6 +40,10 @@ class RollingOnCircle(Joint, frozen=True):
         if self.on is None:
             return (Shape((self.centre,), (self.body,), given_point=self.centre),)
         return (Shape((self.centre, self.around), (self.body, self.on), given_point=self.centre, pole=self.around),)
+
+    def on_ground(self) -> GroundWheel | None:
+        """The wheel, where the circle is at rest."""
+        return GroundWheel(self.body, self.centre, around=self.around) if self.on is None else None
 
     def when_surplus(self) -> str:
         """A joint that leaves the centre to what leads it."""

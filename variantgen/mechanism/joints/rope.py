@@ -12,7 +12,8 @@ from msgspec import Struct
 from variantgen.mechanism.arithmetic import Complex, Flags, Real, cross, dot
 from variantgen.mechanism.component import Angle, BodyName, PointName, Radius, Side, WordMeaning
 from variantgen.mechanism.constructions.tangent import thread_direction
-from variantgen.mechanism.rows import Joint, JointCircle, Placement, ScalarRow, Shape, Speeds, Strand
+from variantgen.mechanism.joint import Joint, JointCircle, Strand
+from variantgen.mechanism.rows import Placement, ScalarRow, Shape, Speeds
 
 RopeSide: TypeAlias = Annotated[
     Side,

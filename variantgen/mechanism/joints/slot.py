@@ -7,7 +7,8 @@ from typing import ClassVar
 
 from variantgen.mechanism.arithmetic import Complex, Flags, Real, cross, dot, unit_towards, unit_vector
 from variantgen.mechanism.component import BodyName, PointName
-from variantgen.mechanism.rows import Joint, Placement, ScalarRow, Shape, Sliding, Speeds
+from variantgen.mechanism.joint import Joint, Sliding
+from variantgen.mechanism.rows import Placement, ScalarRow, Shape, Speeds
 
 
 class Slot(Joint, frozen=True):
@@ -42,6 +43,10 @@ class Slot(Joint, frozen=True):
     def sliding(self) -> Sliding:
         """The point slides on the body along its line."""
         return Sliding(self.point, self.body, self.along)
+
+    def locked(self) -> tuple[str, str] | None:
+        """The sleeve and the body of the line, where the sleeve does not swivel."""
+        return None if self.sleeve is None else (self.sleeve, self.body)
 
     def direction(self, at: Placement) -> Complex:
         """Unit vector of the line, from the first towards the second of its points."""

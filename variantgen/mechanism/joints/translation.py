@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from variantgen.mechanism.arithmetic import Complex, Real
 from variantgen.mechanism.component import BodyName
-from variantgen.mechanism.rows import Joint, Placement, ScalarRow, Shape, Speeds
+from variantgen.mechanism.joint import Joint
+from variantgen.mechanism.rows import Placement, ScalarRow, Shape, Speeds
 
 
 class Translation(Joint, frozen=True):

@@ -23,6 +23,9 @@ from variantgen.methods.vectors.whole_vector import whole
 
 _SQUARE = 1e-9  # cosine of an angle that is a right one, but for rounding
 _FAR = 4.0  # of the distance AB: of a centre beyond that the triangle ABP is a thin one, with some 14 degrees at P
+# Of the largest distance of A, B and P: as near the letter P and the symbol of a hinge cover each other; and where P is
+# the hinge itself, but for rounding.
+_BESIDE, _SAME = 0.07, 1e-6
 _TRANSLATION = 1e-9  # of the largest velocity: a body that turns less is in translation
 
 
@@ -44,7 +47,8 @@ def solve_dyad(book: Book, group: Dyad) -> None:
     """Find the velocity of the point on its path and the angular velocity of the body.
 
     Unless the centre is wished, the velocities are projected on AB where it would serve the velocity of B alone, which
-    is one line, and a vector equation takes its place where it is remote: no thin triangle, no long way off the page.
+    is one line, and a vector equation takes its place where it is remote (no thin triangle, no long way off the page)
+    or so near to a hinge that no figure could show both.
     """
     body, pole, point = group.body, group.pole, group.point_path.point
     vector(book, pole)
@@ -54,7 +58,7 @@ def solve_dyad(book: Book, group: Dyad) -> None:
         if projections.applies(book, group):
             projections.solve_dyad(book, group)
             return
-    elif book.style.is_free and _is_remote(book, group):
+    elif book.style.is_free and (_is_remote(book, group) or _is_beside_hinge(book, group)):
         solve_by_equation(book, group)
         return
     with book.step("velocity_centre.link", "velocity_centre", body=Body(body), point=Point(point)):
@@ -69,6 +73,21 @@ def _is_remote(book: Book, group: Dyad) -> bool:
     turning = abs(book.exact_rate(group.body) * (now.z[point] - now.z[pole]))
     fastest = max(abs(now.v[pole]), abs(now.v[point]))
     return _TRANSLATION * fastest < turning < fastest / _FAR
+
+
+def _is_beside_hinge(book: Book, group: Dyad) -> bool:
+    """Whether the centre is beside a point of the body, or of one that is joined to it, but not in it."""
+    now, pole = book.task.now, group.pole
+    rate, fastest = book.exact_rate(group.body), max(map(abs, now.v.values()))
+    ends = [now.z[pole], now.z[group.point_path.point]]
+    if abs(rate * (ends[1] - ends[0])) <= _TRANSLATION * fastest:
+        return False
+    centre = now.z[pole] + 1j * now.v[pole] / rate
+    size = max(abs(ends[1] - ends[0]), *(abs(end - centre) for end in ends))
+    members = {*now.scene.bodies[group.body]}
+    shown = members.union(*(points for points in now.scene.bodies.values() if members & {*points}))
+    places = (now.z[name] for name in shown.difference(book.task.form.figure.hidden))
+    return any(_SAME * size < abs(place - centre) < _BESIDE * size for place in places)
 
 
 def find(book: Book, group: Dyad, path: Term) -> Rate | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Iterator, Sequence
 
 from variantgen.algebra.decimals import PRINTED_DIGITS
 from variantgen.algebra.expression import Value
@@ -29,22 +29,24 @@ _NEAR = 1e-3  # of a number: so near comes who works it out with the printed one
 def check_of(book: Book, steps: Sequence[Step], found: Sequence[Value]) -> tuple[Item, ...]:
     """The check of a solution group by group with the answers ``found``; nothing where no relation is left."""
     needed = used_lines(steps, found)  # what is compared: a check works out no quantity of its own
-    ways: tuple[Callable[[], Sequence[Item]], ...] = (
-        lambda: third_axis(steps),
-        lambda: other_base_point(book, steps),
-        lambda: base_point_of_velocities(book, needed),
-        lambda: equal_projections(book),
-        lambda: other_axes(book, steps),
-        lambda: from_the_arm(book, steps),
-        lambda: about_axis(book, steps),
-        lambda: growth_of_speed(book, steps),
-        lambda: limit_triangle(book),
-        lambda: elimination(book, steps),
-        lambda: magnitudes(book, steps),
-    )
     angles = known_angles(needed, found)
-    checks = (by_known_angles(way(), angles) for way in ways)
+    checks = (by_known_angles(check, angles) for check in _checks(book, steps, needed))
     return next((check for check in checks if check and _is_repeated(check)), ())
+
+
+def _checks(book: Book, steps: Sequence[Step], needed: Sequence[Step]) -> Iterator[Sequence[Item]]:
+    """What each theorem says, in the order in which they are tried; worked out when it is its turn."""
+    yield third_axis(steps)
+    yield other_base_point(book, steps)
+    yield base_point_of_velocities(book, needed)
+    yield equal_projections(book)
+    yield other_axes(book, steps)
+    yield from_the_arm(book, steps)
+    yield about_axis(book, steps)
+    yield growth_of_speed(book, steps)
+    yield limit_triangle(book)
+    yield elimination(book, steps)
+    yield magnitudes(book, steps)
 
 
 def _is_repeated(check: Sequence[Item]) -> bool:

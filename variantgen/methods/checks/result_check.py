@@ -93,11 +93,18 @@ def _least_share(terms: Iterable[Term], axis: Value) -> float:
 
 
 def _balance(line: VectorLine, values: Mapping[Name | None, Value], axis: Value) -> list[Item]:
-    """Both sides of an equation on an axis, to the side on which they are positive."""
+    """Both sides of an equation on an axis, to the side on which they are positive.
+
+    Of vectors whose sum is zero, as at a sleeve about a fixed axis, those that are known stand on the one side.
+    """
     sides = []
     for terms in (line.left, line.right):
         known = [replace(term, size=values[term.name]) if term.size is None else term for term in terms]
         sides.append(list(shares(known, axis)))
+    if not line.left:
+        found_here = {term.name for term in unknowns(line.right)}
+        others = [replace(share, sign=-share.sign) for share in sides[1] if share.term.name not in found_here]
+        sides = [others, [share for share in sides[1] if share.term.name in found_here]]
     if reverse := sum_of(sides[0]).number(True) < 0:
         sides = [[replace(share, sign=-share.sign) for share in side] for side in sides]
     scale = max(value.exact for value in values.values() if value.measure in ("acceleration", "velocity"))

@@ -11,6 +11,8 @@ from collections.abc import Sequence
 from copy import copy
 from typing import Any
 
+from msgspec.structs import replace
+
 from variantgen.algebra.expression import Constant, Expression, Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import Maybe, added, forward, product
@@ -96,7 +98,7 @@ class Model:
         size = self.task.size if measure == "length" else 1.0
         value = Value(name, measure, exact, None, size)
         speed, acceleration = (
-            Value(name._replace(dots=dots), kind, 0.0, None, self.book.size_of(kind))
+            Value(replace(name, dots=dots), kind, 0.0, None, self.book.size_of(kind))
             for dots, kind in enumerate(_RATES[measure], 1)
         )
         self.coordinates[value] = Coordinate(value, speed, acceleration)

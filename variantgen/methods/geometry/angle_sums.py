@@ -7,8 +7,6 @@ between them is written as what it is: ``phi``, ``90 deg - phi``, ``phi + psi``.
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from variantgen.algebra.expression import Constant, Expression, Ratio, Times, Total, Value
 from variantgen.algebra.name import Name
 from variantgen.methods.geometry.angles import AngleForm, between, tidy
@@ -23,27 +21,28 @@ def angle_sum(angle: Value) -> AngleForm:
     A direction that only the drawing shows and an angle that the sheet prints have nothing but their number.
     """
     noted = angle.noted
-    if not (isinstance(noted, _Noted) and noted.expression is angle.expression and noted.exact == angle.exact):
-        noted = angle.noted = _Noted(angle.expression, angle.exact, _taken_apart(angle))
-    return noted.form
+    if noted is None or noted[0] is not angle.expression or noted[1] != angle.exact:
+        return _note(angle, _taken_apart(angle))
+    found: AngleForm = noted[2]
+    return found
 
 
-class _Noted(NamedTuple):
-    """What an angle was taken apart into, as long as it has this expression and this number."""
-
-    expression: Expression | None
-    exact: float
-    form: AngleForm
+def _note(angle: Value, form: AngleForm) -> AngleForm:
+    """Note what an angle was taken apart into, as long as it has this expression and this number."""
+    angle.noted = angle.expression, angle.exact, form
+    return form
 
 
 def _taken_apart(angle: Value) -> AngleForm:
     kind = "" if angle.name is None else angle.name.kind
-    if kind == "parameter" and angle.exact % 90.0 == 0:
-        return AngleForm((), angle.exact)
-    if angle.expression is None and kind in ("", "direction", "angle"):
-        return AngleForm((), tidy(angle.exact))
-    found = None if angle.expression is None or kind == "parameter" else _sum(angle.expression)
-    if found is None or (kind in ("direction", "angle") and isinstance(angle.expression, Constant)):
+    if kind == "parameter":
+        return AngleForm(((angle, 1.0),)) if angle.exact % 90.0 else AngleForm((), angle.exact)
+    if angle.expression is None:
+        is_number = kind in ("", "direction", "angle")
+        return AngleForm((), tidy(angle.exact)) if is_number else AngleForm(((angle, 1.0),))
+    is_drawn = isinstance(angle.expression, Constant) and kind in ("direction", "angle")
+    found = None if is_drawn else _sum(angle.expression)
+    if found is None:
         return AngleForm(((angle, 1.0),))
     turns = round((angle.exact - _number(found)) / 360.0)
     return found.turned(360.0 * turns) if turns else found
@@ -62,7 +61,7 @@ def _sum(item: Expression) -> AngleForm | None:
                 if isinstance(term, Constant) and found is not None:
                     found = found.turned(sign * term.value)
                     continue
-                part = _sum(term)
+                part = angle_sum(term) if isinstance(term, Value) else _sum(term)
                 if part is None:
                     return None
                 found = (part if sign > 0 else part.times(-1.0)) if found is None else found.plus(part, sign)
@@ -75,7 +74,11 @@ def _sum(item: Expression) -> AngleForm | None:
 
 
 def _number(form: AngleForm) -> float:
-    return form.constant + sum([c * atom.exact for atom, c in form.parts if isinstance(atom, Value)])
+    number = form.constant
+    for atom, count in form.parts:
+        if isinstance(atom, Value):
+            number += count * atom.exact
+    return number
 
 
 def written(form: AngleForm) -> Expression:
@@ -90,8 +93,9 @@ def written(form: AngleForm) -> Expression:
     if constant or not parts:
         own = (1 if constant >= 0 else -1, Constant(abs(constant), "angle"))
         parts = [own, *parts] if own[0] > 0 else [*parts, own]
-    parts.sort(key=lambda part: -part[0])
-    return parts[0][1] if len(parts) == 1 and parts[0][0] > 0 else Total(tuple(parts))
+    if len(parts) == 1 and parts[0][0] > 0:
+        return parts[0][1]
+    return Total(tuple([part for part in parts if part[0] > 0] + [part for part in parts if part[0] < 0]))
 
 
 def is_short(form: AngleForm) -> bool:
@@ -113,12 +117,20 @@ def valued(name: Name | None, form: AngleForm) -> Value:
     return Value(name, "angle", number, None if isinstance(expression, Constant) else expression)
 
 
+def _valued(name: Name | None, form: AngleForm) -> Value:
+    """The same of a sum whose parts were taken apart: so is the value."""
+    value = valued(name, form)
+    if value.noted is None and value.expression is not None:
+        _note(value, AngleForm(form.parts, tidy(form.constant)))
+    return value
+
+
 def difference(name: Name | None, first: Value, second: Value) -> Value:
     """The angle between two directions, 0 to 180 degrees, as their difference.
 
     Raises ArithmeticError where it is no difference of the two: a defect of the caller.
     """
-    return valued(name, _matched(angle_sum(first).minus(angle_sum(second)), between(first.exact, second.exact), 360.0))
+    return _valued(name, _matched(angle_sum(first).minus(angle_sum(second)), between(first.exact, second.exact), 360.0))
 
 
 def acute(first: Value, second: Value, size: float) -> tuple[str, Value]:
@@ -129,8 +141,8 @@ def acute(first: Value, second: Value, size: float) -> tuple[str, Value]:
     is_square = form.parts and abs(abs(form.constant) - 90.0) < _SAME  # else there is nothing to turn
     for sign in (-1.0, 1.0) if is_square else ():
         if not tidy(sign * form.constant + 90.0) and any(sign * count > 0 for _, count in form.parts):
-            return "sin", valued(None, form.times(sign).turned(90.0))
-    return "cos", valued(None, form)
+            return "sin", _valued(None, form.times(sign).turned(90.0))
+    return "cos", _valued(None, form)
 
 
 def supplement(angle: Value) -> Value | None:
@@ -138,7 +150,7 @@ def supplement(angle: Value) -> Value | None:
     form = angle_sum(angle)
     if not form.parts or len(form.parts) + bool(tidy(180.0 - form.constant)) > 1:
         return None
-    return valued(None, form.times(-1.0).turned(180.0))
+    return _valued(None, form.times(-1.0).turned(180.0))
 
 
 def _matched(form: AngleForm, size: float, period: float) -> AngleForm:

@@ -9,13 +9,14 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import lru_cache
 from typing import TypeAlias
 
 from msgspec import Struct
 
 from variantgen.algebra.expression import Constant, Expression, Pi, Ratio, Value, Variable
+from variantgen.algebra.linear import is_linear
 from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import simplified
 from variantgen.families.parameters.expressions import FamilyExpression
@@ -105,15 +106,17 @@ class Angles:
             return AngleForm(((expression.tree.name, 1.0),))
         if not expression.names:
             return self._of_number(expression)
-        value = math.degrees(self._task.read(expression))
         signs = {name: sign for name in sorted(expression.names) if (sign := self._sign(name))}
-        if not signs or (expression.names - signs.keys()) & self._task.form.derived.keys():
-            return AngleForm((), tidy(value))
-        base, slopes = self._linear(expression, tuple(signs))
-        total = math.degrees(base) + sum(slope * math.degrees(self._task.si[name]) for name, slope in slopes.items())
-        if abs(total - value) > _SAME:
-            return AngleForm((), tidy(value))
-        return form_of(((name, slopes[name] * sign) for name, sign in signs.items()), tidy(math.degrees(base)))
+        if signs and (expression.names - signs.keys()).isdisjoint(self._task.form.derived):
+            base, slopes, always = self._linear(expression, tuple(signs))
+            if always or self._is_sum(expression, base, slopes):
+                return form_of([(name, slopes[name] * sign) for name, sign in signs.items()], tidy(math.degrees(base)))
+        return AngleForm((), tidy(math.degrees(self._task.read(expression))))
+
+    def _is_sum(self, expression: FamilyExpression, base: float, slopes: Mapping[str, float]) -> bool:
+        """Whether an expression is its number at angles of zero and what grows with each of them, for this variant."""
+        total = base + sum(slope * self._task.si[name] for name, slope in slopes.items())
+        return abs(math.degrees(total - self._task.read(expression))) <= _SAME
 
     def _of_number(self, expression: FamilyExpression) -> AngleForm:
         """An angle that depends on no datum; the form remembers it."""
@@ -123,8 +126,8 @@ class Angles:
         found: AngleForm = known[key]
         return found
 
-    def _linear(self, expression: FamilyExpression, angles: tuple[str, ...]) -> tuple[float, dict[str, float]]:
-        """An expression at angles of zero, and by how much it grows with each of these angles.
+    def _linear(self, expression: FamilyExpression, angles: tuple[str, ...]) -> tuple[float, dict[str, float], bool]:
+        """An expression at angles of zero, by how much it grows with each of these angles, whether it always does.
 
         The form remembers it where it depends on choices alone besides.
         """
@@ -135,10 +138,11 @@ class Angles:
         if known is None:
             start = dict(values) | dict.fromkeys(angles, 0.0)
             base = float(expression.value(start))
-            known = base, {name: tidy(float(expression.value(start | {name: 1.0})) - base) for name in angles}
+            slopes = {name: tidy(float(expression.value(start | {name: 1.0})) - base) for name in angles}
+            known = base, slopes, is_linear(expression.tree, angles)
             if all(form.parameters[name].unit is None for name in others):
                 form.remembered[key] = known
-        found: tuple[float, dict[str, float]] = known
+        found: tuple[float, dict[str, float], bool] = known
         return found
 
     def _sign(self, name: str) -> int:

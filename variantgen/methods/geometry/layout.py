@@ -35,10 +35,12 @@ class Layout:
         self.angles = Angles(task)
         self.nothing = _NOTHING * task.size
         self.places: dict[str, LocatedPoint] = {}
+        self._ranks: dict[str, int] = {}
         self._lines = Lines(task.now.z, self.nothing, self.number)
         self._stated: dict[frozenset[str], Expression] = {}
         self._bases: dict[str, AngleForm] = {}
         self._plain: dict[str, tuple[Leg, ...]] = {}
+        self._data: dict[tuple[str, str], AngleForm | None] = {}  # directions that were asked, as lines are known
         self._bearings: dict[tuple[str, str], float] = {}
         self.printed = {corner: self._printed_angle(*corner) for corner in task.form.figure.found}
         self._marks = self._marked()
@@ -47,8 +49,9 @@ class Layout:
         """Note what the constructions, the conditions and the figure give."""
         for name, place in places.items():
             self.places[name] = place
+            self._ranks[name] = len(self._ranks)
             for ray in place.rays():
-                self._lines.add(ray.start, ray.end, self._based(ray))
+                self._line(ray.start, ray.end, self._based(ray))
             self._read_marks(name)
             self._stated |= {frozenset(pair): length for pair, length in place.lengths().items()}
         for condition in self.task.form.conditions:
@@ -57,7 +60,7 @@ class Layout:
                 self._stated[frozenset((fields["start"], fields["end"]))] = self.read_length(fields["length"])
             if condition.component is PointOnLine and fields.get("towards") is None:
                 angle = self.angles.on_paper(self.angles.read(fields.get("angle")))
-                self._lines.add(fields["through"], fields["point"], angle)
+                self._line(fields["through"], fields["point"], angle)
 
     def _based(self, ray: Ray) -> AngleForm:
         """The direction of a ray; the first one by an angle that only the drawing shows is the base of the others."""
@@ -112,7 +115,7 @@ class Layout:
         turn = normal_angle(self.bearing(at, end) - self.number(known))
         size = AngleForm(((angle, 1.0),))
         if abs(abs(turn) - self.number(size)) < _SAME:
-            self._lines.add(at, end, known.plus(size, 1.0 if turn > 0 else -1.0))
+            self._line(at, end, known.plus(size, 1.0 if turn > 0 else -1.0))
 
     def _side(self, at: str, start: str) -> AngleForm | None:
         if start in _AXES:
@@ -137,7 +140,7 @@ class Layout:
 
     def total(self, form: AngleForm) -> float:
         """The degrees of a sum of angles, whole turns kept."""
-        return form.constant + sum(c * self._degrees(atom) for atom, c in form.parts)
+        return form.constant + sum([c * self._degrees(atom) for atom, c in form.parts])
 
     def _degrees(self, atom: Atom) -> float:
         if isinstance(atom, Value):
@@ -180,10 +183,20 @@ class Layout:
         low, high = self.ordered(start, end)
         return AngleForm((((low, high), 1.0),), 0.0 if low == start else 180.0)
 
+    def _line(self, start: str, end: str, form: AngleForm) -> None:
+        """Note that a line of this direction goes through two points."""
+        self._lines.add(start, end, form)
+        self._data.clear()
+
     def data(self, start: str, end: str) -> AngleForm | None:
         """The direction as it is given: along a line, or along an axis between given coordinates."""
+        if (start, end) not in self._data:
+            self._data[start, end] = self._given(start, end)
+        return self._data[start, end]
+
+    def _given(self, start: str, end: str) -> AngleForm | None:
         found = self._lines.form(start, end)
-        if found is None and all(self.is_given(name) for name in (start, end)):
+        if found is None and self.is_given(start) and self.is_given(end):
             legs = [*(leg.reversed() for leg in self.plain_legs(start)), *self.plain_legs(end)]
             kept = collected(legs, self.nothing)
             found = kept[0].form if len(kept) == 1 else None
@@ -202,5 +215,4 @@ class Layout:
 
     def ordered(self, start: str, end: str) -> tuple[str, str]:
         """Two points in the order in which they are placed."""
-        names = list(self.places)
-        return (start, end) if names.index(start) <= names.index(end) else (end, start)
+        return (start, end) if self._ranks[start] <= self._ranks[end] else (end, start)

@@ -11,6 +11,7 @@ import math
 from collections.abc import Mapping, Sequence
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.algebra.decimals import DRAWING_LENGTH
 from variantgen.algebra.expression import Constant, Expression, Value
@@ -215,7 +216,7 @@ class PlanDrawing:
 
     def _drawn_name(self, name: Name) -> Name:
         """The length on paper of a vector: ``l`` with the index of the vector."""
-        return name._replace(kind="drawn", body=self.letter)
+        return replace(name, kind="drawn", body=self.letter)
 
     def _image(self, point: str, part: str = "") -> Name:
         return Name("image", point, part=part, body=self.letter)

@@ -15,9 +15,9 @@ from msgspec import Struct
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
 from variantgen.mechanism.drivers.extension import Extension
-from variantgen.mechanism.joints.rolling import Rolling
+from variantgen.mechanism.joint import GroundWheel, Sliding
 from variantgen.mechanism.linkage import Linkage
-from variantgen.mechanism.rows import Placement, Sliding
+from variantgen.mechanism.rows import Placement
 from variantgen.mechanism.scene import fixed_points
 from variantgen.mechanism.solving.structure import Closure, FreePoint, GuidedPoint, Plan, RigidPoint
 from variantgen.methods.linkage.instant import Instant
@@ -135,18 +135,19 @@ def _useful(
         left = fewer
 
 
-def _wheels_held_by_rim(form: Form) -> dict[str, Rolling]:
+def _wheels_held_by_rim(form: Form) -> dict[str, GroundWheel]:
     """Wheels on a line at rest that only a link at another point than the centre moves, by body."""
     scene, found = form.sample, {}
     for joint in scene.joints:
-        if not isinstance(joint, Rolling) or joint.on is not None:
+        wheel = joint.on_ground()
+        if wheel is None:
             continue
         others = (other for other in (*scene.joints, *scene.drivers) if other is not joint)
         shapes = [shape for other in others for shape in other.shapes()]
-        held = any(joint.body in shape.bodies or joint.centre in shape.points for shape in shapes)
-        hinged = sum(joint.centre in members for members in scene.bodies.values()) > 1
-        if not held and not hinged and joint.contact in scene.bodies[joint.body]:
-            found[joint.body] = joint
+        held = any(wheel.body in shape.bodies or wheel.centre in shape.points for shape in shapes)
+        hinged = sum(wheel.centre in members for members in scene.bodies.values()) > 1
+        if not held and not hinged and wheel.contact in scene.bodies[wheel.body]:
+            found[wheel.body] = wheel
     return found
 
 

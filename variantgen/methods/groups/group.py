@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from msgspec import Struct
 
-from variantgen.mechanism.rows import Sliding
+from variantgen.mechanism.joint import Sliding
 
 
 class PointPath(Struct, frozen=True):

@@ -4,10 +4,7 @@ from __future__ import annotations
 
 from functools import cached_property
 
-from variantgen.mechanism.joints.rolling import Rolling
-from variantgen.mechanism.joints.rolling_on_circle import RollingOnCircle
 from variantgen.mechanism.linkage import Linkage
-from variantgen.mechanism.rows import ScalarRow
 from variantgen.methods.groups.carriers import is_within_reach
 from variantgen.methods.groups.contact import NoSlipContact
 from variantgen.methods.groups.contacts_of_scene import contacts_of_scene
@@ -25,7 +22,7 @@ class KnownMotion:
         self.task = book.task
         self.scene = book.task.scene
         self.at_last = False  # whether points are known too that a neighbour of a neighbour leads to
-        self.open_bodies = self._open_bodies()
+        self.open_bodies: list[str] = []  # needed bodies whose rate is not known
 
     @cached_property
     def contacts(self) -> dict[int, NoSlipContact]:
@@ -73,20 +70,18 @@ class KnownMotion:
 
     def _found_path(self, point: str, but: str) -> PointPath | None:
         for joint in self.scene.joints:
-            for number, shape in enumerate(joint.shapes()):
+            for shape in joint.shapes():
                 if shape.points != (point,) or shape.bodies or shape.given_point is not None:
                     continue
                 if joint.landmarks():
                     return PointPath(point, centre=joint.landmarks()[0])
-                row = joint.rows(self.task.at)[number]
-                assert isinstance(row, ScalarRow)
-                normal = complex(row.points[point])
-                return PointPath(point, line=-1j * normal / abs(normal))
-            if isinstance(joint, Rolling) and joint.on is None and joint.centre == point and joint.body != but:
-                arm = self.task.now.z[point] - self.task.now.z[joint.contact]
+                return PointPath(point, line=self.guided(point))
+            wheel = joint.on_ground()
+            if wheel is not None and wheel.centre == point and wheel.body != but:
+                if wheel.around:
+                    return PointPath(point, centre=wheel.around)
+                arm = self.task.now.z[point] - self.task.now.z[wheel.contact]
                 return PointPath(point, line=1j * arm / abs(arm))
-            if isinstance(joint, RollingOnCircle) and joint.on is None and joint.centre == point and joint.body != but:
-                return PointPath(point, centre=joint.around)
         for body in self.owners(point):
             members = self.scene.bodies[body]
             pivot = self.task.linkage.pivot(body)

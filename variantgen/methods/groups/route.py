@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import permutations
 
 from variantgen.mechanism.drivers.circling import Circling
 from variantgen.mechanism.drivers.extension import Extension
 from variantgen.mechanism.drivers.relative_travel import RelativeTravel
 from variantgen.mechanism.drivers.rotation import Rotation
-from variantgen.mechanism.joints.rolling import Rolling
-from variantgen.mechanism.joints.rolling_on_circle import RollingOnCircle
-from variantgen.mechanism.joints.slot import Slot
-from variantgen.mechanism.rows import Sliding
+from variantgen.mechanism.joint import Sliding
 from variantgen.methods.groups.carriers import is_within_reach
 from variantgen.methods.groups.contact_groups import contact_groups
 from variantgen.methods.groups.group import (
@@ -33,6 +31,23 @@ from variantgen.methods.groups.group import (
 from variantgen.methods.groups.reached import KnownMotion
 from variantgen.methods.solution.book import Book
 
+_SEARCHES = (
+    "_relative_rotations",
+    "_fixed_sleeves",
+    "_pivoted_links",
+    "_rolling_wheels",
+    "_dyads",
+    "_floating_dyads",
+    "_sliding_pairs",
+    "_contact_groups",
+    "_extending_links",
+    "_pivoted_links_at_last",
+    "_two_point_bodies",
+    "_third_class_groups",
+    "_rolling_contact_poles",
+)
+_BY_NUMBERS = ("_contact_groups",)  # whether tangents are parallel
+
 
 class Route(KnownMotion):
     """Looks for the next group of a book whose velocities are being worked out."""
@@ -53,24 +68,22 @@ class Route(KnownMotion):
         return None
 
     def _groups(self) -> Iterator[Group]:
-        """The groups within reach, in the order in which they are taken."""
-        searches = (
-            self._relative_rotations,
-            self._fixed_sleeves,
-            self._pivoted_links,
-            self._rolling_wheels,
-            self._dyads,
-            self._floating_dyads,
-            self._sliding_pairs,
-            self._contact_groups,
-            self._extending_links,
-            self._pivoted_links_at_last,
-            self._two_point_bodies,
-            self._third_class_groups,
-            self._rolling_contact_poles,
-        )
-        for search in searches:
-            yield from search()
+        """The groups within reach, in the order in which they are taken.
+
+        What is found follows from names, so the form remembers which searches are vain where the same is known.
+        """
+        book = self.book
+        known = frozenset(book.velocity), frozenset(book.omega), frozenset(book.relative)
+        vain: set[str] = self.task.by_names.setdefault(("vain", self.at_last, self.translating, *known), set())
+        for name in _SEARCHES:
+            if name in vain:
+                continue
+            nothing = True
+            for group in getattr(self, name)():
+                nothing = False
+                yield group
+            if nothing and name not in _BY_NUMBERS:
+                vain.add(name)
 
     def _relative_rotations(self) -> Iterator[Group]:
         for number, driver in enumerate(self.scene.drivers):
@@ -83,10 +96,10 @@ class Route(KnownMotion):
 
     def _fixed_sleeves(self) -> Iterator[Group]:
         for joint in self.scene.joints:
-            if isinstance(joint, Slot) and joint.sleeve is not None:
-                for body, other in ((joint.sleeve, joint.body), (joint.body, joint.sleeve)):
-                    if body in self.open_bodies and other in self.book.omega:
-                        yield FixedSleeve(body, other)
+            pair = joint.locked()
+            for body, other in permutations(pair) if pair else ():
+                if body in self.open_bodies and other in self.book.omega:
+                    yield FixedSleeve(body, other)
 
     def _pivoted_links(self) -> Iterator[Group]:
         for body in self.open_bodies:
@@ -98,14 +111,9 @@ class Route(KnownMotion):
 
     def _rolling_wheels(self) -> Iterator[Group]:
         for number, joint in enumerate(self.scene.joints):
-            if isinstance(joint, Rolling) and joint.on is None:
-                group = RollingWheel(joint.body, joint.centre, number, joint.contact)
-            elif isinstance(joint, RollingOnCircle) and joint.on is None:
-                group = RollingWheel(joint.body, joint.centre, number, "", joint.around)
-            else:
-                continue
-            if (group.centre in self.book.velocity) != (group.body in self.book.omega):
-                yield group
+            wheel = joint.on_ground()
+            if wheel and (wheel.centre in self.book.velocity) != (wheel.body in self.book.omega):
+                yield RollingWheel(wheel.body, wheel.centre, number, wheel.contact, wheel.around)
 
     def _dyads(self) -> Iterator[Group]:
         for body in self.open_bodies:
@@ -212,7 +220,8 @@ class Route(KnownMotion):
 
     def _rolling_contact_poles(self) -> Iterator[Group]:
         for joint in self.scene.joints:
-            if not isinstance(joint, Rolling) or joint.on is not None or joint.body not in self.open_bodies:
+            wheel = joint.on_ground()
+            if wheel is None or wheel.body not in self.open_bodies:
                 continue
-            if joint.contact in self.scene.bodies[joint.body] and joint.contact not in self.book.velocity:
-                yield RollingContactPole(joint.body, joint.centre, joint.contact)
+            if wheel.contact in self.scene.bodies[wheel.body] and wheel.contact not in self.book.velocity:
+                yield RollingContactPole(wheel.body, wheel.centre, wheel.contact)

@@ -61,6 +61,14 @@ def _leads_on(task: Task, body: str, bodies: Collection[str], points: Collection
 
 def leads_on(task: Task, point: str, body: str) -> bool:
     """Whether more than the magnitude of a point's vector is of use: for another body, a joint, or an answer."""
+    key, known = ("leads on", point, body), task.by_names
+    if key not in known:
+        known[key] = _is_of_use(task, point, body)
+    found: bool = known[key]
+    return found
+
+
+def _is_of_use(task: Task, point: str, body: str) -> bool:
     others = (members for name, members in task.scene.bodies.items() if name != body)
     if any(point in members for members in others):
         return True

@@ -10,11 +10,9 @@ from collections.abc import Iterable
 
 from msgspec import Struct
 
-from variantgen.algebra.expression import Applied, Constant, Raised, Ratio, SquareRoot, Times, Total, Value
+from variantgen.algebra.expression import Applied, Constant, Expression, Raised, Ratio, SquareRoot, Times, Total, Value
 from variantgen.algebra.linear import LinearSolution
-from variantgen.algebra.values import in_order
 
-_BARE = Value, Constant  # parts of an expression in which nothing is calculated
 _RIGHT_ANGLE = 90.0 + 1e-9  # degrees; what is larger by rounding only is not obtuse
 
 
@@ -52,36 +50,48 @@ class Work(Struct, frozen=True):
 
 def work_of(answers: Iterable[Value]) -> Work:
     """The work of the solution that leads to these answers."""
-    values = in_order(answers)
-    own = [value for value in values if value.expression is not None]
-    operations = functions = negatives = 0
+    lines = operations = functions = negatives = obtuse = coriolis = 0
     sizes: dict[tuple[int, ...], int] = {}
-    waiting = [value.expression for value in own if value.expression is not None]
+    met: set[Value] = set()
+    waiting: list[Expression] = list(answers)
     while waiting:
         part = waiting.pop()
         match part:
+            case Value():
+                if part in met:
+                    continue
+                met.add(part)
+                negatives += part.exact < 0
+                obtuse += part.measure == "angle" and abs(part.exact) > _RIGHT_ANGLE
+                if part.expression is not None:
+                    lines += 1
+                    coriolis += part.name is not None and part.name.part == "cor"
+                    waiting.append(part.expression)
+                continue
+            case Times():
+                operations += len(part.factors) - 1
             case Applied():
                 functions += 1
                 negatives += part.number(True) < 0
-            case Times(factors):
-                operations += len(factors) - 1
-            case Total(terms):
-                operations += max(len(terms) - 1, 0)
+            case Total():
+                operations += max(len(part.terms) - 1, 0)
+            case Constant():
+                continue
             case Ratio() | Raised():
                 operations += 1
             case SquareRoot():
                 functions += 1
             case LinearSolution(_, right):
                 sizes[tuple(map(id, right))] = len(right)
-        waiting += [operand for operand in part.operands() if not isinstance(operand, _BARE)]
+        waiting += part.operands()
     return Work(
-        lines=len(own),
+        lines=lines,
         operations=operations + sum(map(_elimination, sizes.values())),
         functions=functions,
         systems=len(sizes),
-        negatives=negatives + sum([value.exact < 0 for value in values]),
-        obtuse=sum([value.measure == "angle" and abs(value.exact) > _RIGHT_ANGLE for value in values]),
-        coriolis=sum([value.name is not None and value.name.part == "cor" for value in own]),
+        negatives=negatives,
+        obtuse=obtuse,
+        coriolis=coriolis,
     )
 
 

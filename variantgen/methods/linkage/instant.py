@@ -81,10 +81,10 @@ class Instant(Struct, frozen=True):
         return relative, normal, coriolis, rest - relative
 
 
-def instant(motion: Motion, index: int) -> Instant:
-    """The numbers of one variant of a batch."""
+def instant(motion: Motion, index: int, length_unit: float = 1.0) -> Instant:
+    """The numbers of one variant of a batch, in a unit of length (m)."""
     vectors = [
-        {name: complex(values.item(index)) for name, values in table.items()}
+        {name: complex(values.item(index)) / length_unit for name, values in table.items()}
         for table in (motion.z, motion.v, motion.a)
     ]
     rates = [

@@ -6,8 +6,8 @@ from functools import cached_property
 
 from variantgen.families.family import Form
 from variantgen.families.quantities import Quantity
+from variantgen.mechanism.joint import Sliding
 from variantgen.mechanism.relative import sliding_points
-from variantgen.mechanism.rows import Sliding
 from variantgen.mechanism.solving.structure import (
     Closure,
     FreePoint,

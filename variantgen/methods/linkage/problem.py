@@ -56,7 +56,7 @@ class Task(Struct, frozen=True, dict=True):
         """The scene of the variant (numbers in SI)."""
         return self.now.scene
 
-    @property
+    @cached_property
     def order(self) -> int:
         """1 if velocities are enough, 2 if accelerations are asked."""
         return motion_order(self.asked)
@@ -107,6 +107,12 @@ class Task(Struct, frozen=True, dict=True):
         return needed_for(self.form, tuple(quantity for quantity in self.sought if quantity.order == 2))
 
     @cached_property
+    def by_names(self) -> dict[Hashable, Any]:
+        """What steps have worked out from names and what is asked alone, by keys of their own; the form keeps it."""
+        found: dict[Hashable, Any] = self.form.remembered.setdefault(("by names", self.sought), {})
+        return found
+
+    @cached_property
     def translating(self) -> frozenset[str]:
         """Bodies that do not turn: a joint keeps them from it, or they are led by two equal parallel cranks."""
         linkage = self.linkage
@@ -121,7 +127,7 @@ class Task(Struct, frozen=True, dict=True):
     def size(self) -> float:
         """Size of the mechanism, in the printed unit of length; of a single point its way to the origin, or 1."""
         places = list(self.now.z.values())
-        return max((abs(p - q) for p, q in combinations(places, 2)), default=0.0) or abs(places[0]) or 1.0
+        return max([abs(p - q) for p, q in combinations(places, 2)], default=0.0) or abs(places[0]) or 1.0
 
     @cached_property
     def largest_speed(self) -> float:
@@ -135,6 +141,13 @@ class Task(Struct, frozen=True, dict=True):
         steady = self.largest_speed**2 / self.size if self.size else 0.0  # without acceleration only rounding
         found = max([steady, *(abs(a) for a in self.now.a.values())])
         return found or self.size * max((abs(rate) for rate in self.now.epsilon.values()), default=0.0)
+
+    @cached_property
+    def scales(self) -> Mapping[str, float]:
+        """The natural scale of each measure in printed units, below which numbers are rounding; none of angles."""
+        speed, acceleration, size = self.largest_speed, self.largest_acceleration, self.size
+        scales = {"length": size, "velocity": speed, "acceleration": acceleration}
+        return scales | {"angular velocity": speed / size, "angular acceleration": acceleration / size}
 
     @cached_property
     def si(self) -> Mapping[str, float]:
@@ -284,10 +297,5 @@ def discs_of(form: Form, body: str | None, centre: str) -> list[DiscMark]:
 
 def task_of(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity]) -> Task:
     """The task of one variant of a solved batch."""
-    raw = instant(motion, index)
-    metre = float(unit(variant.family.length_unit).factor)
-
-    def scaled(table: Mapping[str, complex]) -> dict[str, complex]:
-        return {name: vector / metre for name, vector in table.items()}
-
-    return Task(variant, tuple(asked), replace(raw, z=scaled(raw.z), v=scaled(raw.v), a=scaled(raw.a)))
+    length_unit = float(unit(variant.family.length_unit).factor)
+    return Task(variant, tuple(asked), instant(motion, index, length_unit))

@@ -169,18 +169,7 @@ class Book(Struct):
 
     def size_of(self, measure: str) -> float:
         """The natural scale of a measure, below which numbers are rounding."""
-        match measure:
-            case "length":
-                return self.task.size
-            case "velocity":
-                return self.task.largest_speed
-            case "acceleration":
-                return self.task.largest_acceleration
-            case "angular velocity":
-                return self.task.largest_speed / self.task.size
-            case "angular acceleration":
-                return self.task.largest_acceleration / self.task.size
-        return 0.0
+        return self.task.scales.get(measure, 0.0)
 
     def term(self, name: Name, size: Value | None, angle: Value, key: str, **facts: Fact) -> Term:
         """A vector with the reason of its direction (a sentence of the file ``ways``)."""

@@ -76,7 +76,7 @@ def named(book: Book, share: Share, line: Fact | None = None, crossed: Fact | No
 def _is_of_corners(form: AngleForm) -> bool:
     """Whether two angles of a sum had to be worked out."""
     expressions = [atom.expression for atom, _ in form.parts if isinstance(atom, Value)]
-    return sum(item is not None and not isinstance(item, Constant) for item in expressions) > 1
+    return sum([not isinstance(item, Constant) for item in expressions if item is not None]) > 1
 
 
 def _corner(book: Book, form: AngleForm) -> Value | None:

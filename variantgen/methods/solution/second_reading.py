@@ -41,7 +41,8 @@ _REASONS = {  # and what is said again
     "belt.same_a": "belt.again_a",
 }
 _ROLLING = "rolling.omega"  # what a wheel rolls about
-_PLAIN = "ways.pointed"  # the line of a vector and the side to which it points
+# The line of a vector and the side to which it points, which of one that is still to be found is assumed.
+_PLAIN, _ASSUMED = "ways.pointed", "ways.assumed"
 
 
 def read_again(steps: Sequence[Step], results: Iterable[Value]) -> list[Step]:
@@ -181,21 +182,24 @@ def _without_known_directions(steps: Sequence[Step]) -> list[Step]:
     """The steps with tables of those vectors only whose directions are new.
 
     Of a vector of which a later sentence says to which side it points, and why, the line is enough, as it is of one
-    that turns out zero, and of a rotation about a pole it is said once how its vectors lie.
+    that turns out zero, and of one that stays unknown: nothing would say why it points there. Where a system of
+    equations is to say it, the side is assumed. Of a rotation about a pole it is said once how its vectors lie.
     """
     known: set[Name] = set()
     usual: set[tuple[str, str]] = set()
     kept: list[Step] = []
     for step in steps:
-        reasons = {name for item in step.items if isinstance(item, Projection) for name in _sought(item)}
+        projections = [item for item in step.items if isinstance(item, Projection)]
+        reasons: set[Name | None] = {name for item in projections for name in _sought(item)}
         found = [item.value for item in step.items if isinstance(item, Derived)]
         reasons |= {value.name for value in found if value.name is not None and value.exact == 0}
+        reasons |= _unknown(step) - {value.name for value in found}
         items: list[Item] = []
         for item in step.items:
             if isinstance(item, Sentence) and item.key.startswith(_SAYING):
                 known |= _vectors(item)
             if isinstance(item, TermTable):
-                terms = [_line(term) if term.name in reasons else term for term in item.terms]
+                terms = [_line(term) if term.name in reasons else _assumed(term) for term in item.terms]
                 new = [term for term in terms if not _is_known(term, known) and _usual(term) not in usual]
                 items += [TermTable(tuple(new))] if new else []
                 known |= {term.name for term in terms}
@@ -212,6 +216,14 @@ def _sought(item: Projection) -> set[Name]:
     return {name for sentence in reasons for name in _vectors(sentence)}
 
 
+def _unknown(step: Step) -> set[Name | None]:
+    """The vectors of its tables whose magnitudes are not known before, without those that an equation projects."""
+    terms = [term for item in step.items if isinstance(item, TermTable) for term in item.terms]
+    unknown: set[Name | None] = {term.name for term in terms if term.size is None}
+    used = [item for item in step.items if isinstance(item, Projection)]
+    return unknown - {share.term.name for item in used for share in (*item.left, *item.right)}
+
+
 def _vectors(sentence: Sentence) -> set[Name]:
     """The vector that a sentence is about."""
     fact = sentence.facts.get("vector")
@@ -222,6 +234,12 @@ def _line(term: Term) -> Term:
     """A term of a table without the side to which it points."""
     way = term.way.facts.get("way") if term.way.key == _PLAIN else None
     return replace(term, way=way) if isinstance(way, Sentence) else term
+
+
+def _assumed(term: Term) -> Term:
+    """A term of a table, its side as assumed where nothing has found it."""
+    is_open = term.size is None and term.way.key == _PLAIN
+    return replace(term, way=replace(term.way, key=_ASSUMED)) if is_open else term
 
 
 def _usual(term: Term) -> tuple[str, str] | None:

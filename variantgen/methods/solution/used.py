@@ -9,7 +9,7 @@ from msgspec.structs import replace
 from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.values import in_order, parts
-from variantgen.methods.steps.printed_digits import facts_values, items_values
+from variantgen.methods.steps.printed_digits import facts_values, shown_values
 from variantgen.methods.steps.step import Derived, Item, Projection, Sentence, Step, TermTable, VectorLine, VectorOf
 
 _TURNING = ("omega", "epsilon")
@@ -121,16 +121,24 @@ def _names(values: Iterable[Value]) -> set[Name]:
     return {value.name for value in values if value.name is not None}
 
 
-def read(item: Item) -> list[Value]:
+def read(item: Item) -> Sequence[Value]:
     """The values that a reader meets in an item: a table says directions in words, of magnitudes what is known before.
 
-    Of a law only the lengths: they show why it comes down to what follows.
+    Of a law only the lengths: they show why it comes down to what follows. Found once, as those that are shown.
     """
+    known = vars(item)
+    if "read" not in known:
+        known["read"] = _read(item)
+    found: Sequence[Value] = known["read"]
+    return found
+
+
+def _read(item: Item) -> Sequence[Value]:
     if isinstance(item, Derived) and item.law is not None:
         return [item.value, *(value for value in parts(item.law) if value.measure == "length")]
     if isinstance(item, TermTable):
         return [value for term in item.terms for value in facts_values(term.way)]
     if isinstance(item, Projection):
         sizes = [share.term.size for share in (*item.left, *item.right) if share.term.size is not None]
-        return [*sizes, *items_values([item])]
-    return items_values([item])
+        return [*sizes, *shown_values(item)]
+    return shown_values(item)

@@ -6,7 +6,6 @@ from collections.abc import Collection, Iterable, Sequence
 
 from variantgen.algebra.decimals import PRINTED_DIGITS
 from variantgen.algebra.expression import Value
-from variantgen.algebra.name import Name
 from variantgen.algebra.values import in_order, made_of, parts
 from variantgen.methods.steps.step import (
     Ascending,
@@ -20,10 +19,9 @@ from variantgen.methods.steps.step import (
     ProgramListing,
     Projection,
     Sentence,
+    Term,
     TermTable,
-    VectorLine,
 )
-from variantgen.methods.steps.step_geometry import ChainGraph
 
 
 def choose_printed_digits(items: Iterable[Item], answers: Sequence[Value]) -> None:
@@ -61,34 +59,44 @@ def follow_printed_digits(items: Iterable[Item], answers: Sequence[Value], digit
 
 def items_values(items: Iterable[Item]) -> list[Value]:
     """The values that items show."""
-    found: list[Value] = []
-    for item in items:
-        match item:
-            case Sentence():
-                found += facts_values(item)
-            case Derived(value):
-                found.append(value)
-            case VectorLine():
-                pass
-            case TermTable(terms):
-                for term in terms:
-                    found += [term.angle, *([term.size] if term.size is not None else []), *facts_values(term.way)]
-            case Projection(words, left, right):
-                found += [value for sentence in words for value in facts_values(sentence)]
-                found += [share.angle for share in (*left, *right) if share.angle is not None]
-            case Balance(left_value, right_value):
-                found += [left_value, right_value]
-            case Ascending(values):
-                found += values
-            case LinearSystem(unknowns, rows, right_side):
-                found += [*unknowns, *(value for row in rows for value in row), *right_side]
-            case EquationLine(first, second):
-                found += [*parts(first), *parts(second)]
-            case ProgramListing(_, results):
-                found += results
-            case ChainGraph():
-                pass
+    return [value for item in items for value in shown_values(item)]
+
+
+def shown_values(item: Item) -> tuple[Value, ...]:
+    """The values that an item shows; found once, because every pass over a solution asks it."""
+    known = vars(item)
+    if "shown" not in known:
+        known["shown"] = tuple(_shown_values(item))
+    found: tuple[Value, ...] = known["shown"]
     return found
+
+
+def _shown_values(item: Item) -> Iterable[Value]:
+    match item:
+        case Sentence():
+            return facts_values(item)
+        case Derived(value):
+            return (value,)
+        case TermTable(terms):
+            return (value for term in terms for value in _term_values(term))
+        case Projection(words, left, right):
+            angles = [share.angle for share in (*left, *right) if share.angle is not None]
+            return (*(value for sentence in words for value in facts_values(sentence)), *angles)
+        case Balance(left_value, right_value):
+            return (left_value, right_value)
+        case Ascending(values):
+            return values
+        case LinearSystem(unknowns, rows, right_side):
+            return (*unknowns, *(value for row in rows for value in row), *right_side)
+        case EquationLine(first, second):
+            return (*parts(first), *parts(second))
+        case ProgramListing(_, results):
+            return results
+    return ()
+
+
+def _term_values(term: Term) -> list[Value]:
+    return [term.angle, *([term.size] if term.size is not None else []), *facts_values(term.way)]
 
 
 def facts_values(sentence: Sentence) -> list[Value]:
@@ -104,6 +112,6 @@ def facts_values(sentence: Sentence) -> list[Value]:
             found.append(fact.value)
         elif type(fact) is Sentence:
             waiting += fact.facts.values()
-        elif type(fact) is tuple and not isinstance(fact, Name):
+        elif type(fact) is tuple:
             waiting += fact
     return found

@@ -80,7 +80,7 @@ Fact: TypeAlias = (
 )
 
 
-class Sentence(Struct, frozen=True):
+class Sentence(Struct, frozen=True, dict=True):
     """A sentence of the templates: ``key`` is ``file.name``, ``facts`` fill its fields.
 
     ``detail`` marks what a short solution leaves out.
@@ -91,7 +91,7 @@ class Sentence(Struct, frozen=True):
     detail: bool = True
 
 
-class Derived(Struct, frozen=True):
+class Derived(Struct, frozen=True, dict=True):
     """``name = expression = with numbers = result unit``.
 
     ``symbolic`` False leaves out the first expression (a line before has shown it), ``numeric`` False the second.
@@ -133,14 +133,14 @@ class Term(Struct, frozen=True):
         return fact.name if isinstance(fact, Point) else fact.start
 
 
-class VectorLine(Struct, frozen=True):
+class VectorLine(Struct, frozen=True, dict=True):
     """A vector equation: sums of vectors on both sides."""
 
     left: tuple[Term, ...]
     right: tuple[Term, ...]
 
 
-class TermTable(Struct, frozen=True):
+class TermTable(Struct, frozen=True, dict=True):
     """The vectors of an equation with direction and magnitude, known or not."""
 
     terms: tuple[Term, ...]
@@ -169,7 +169,7 @@ class Share(Struct, frozen=True):
         return self.term.size if self.angle is None else self.term.size * Applied(self.function, self.angle)
 
 
-class Projection(Struct, frozen=True):
+class Projection(Struct, frozen=True, dict=True):
     """A vector equation projected on an axis; an empty side is zero.
 
     ``words`` say what the axis is, and why the wanted vector points as it does; ``axis`` is its direction on paper,
@@ -189,7 +189,7 @@ class Projection(Struct, frozen=True):
         return len(shares) == 1 and shares[0].factor is None
 
 
-class LinearSystem(Struct, frozen=True):
+class LinearSystem(Struct, frozen=True, dict=True):
     """Equations linear in unknown values, with numbers, and their solution.
 
     ``rows`` are the coefficients, one row per equation, and ``right`` the right-hand sides; the unknowns carry the
@@ -201,20 +201,20 @@ class LinearSystem(Struct, frozen=True):
     right: tuple[Value, ...]
 
 
-class Balance(Struct, frozen=True):
+class Balance(Struct, frozen=True, dict=True):
     """Two sums that must be equal, each with its number: the sides of a vector equation on a further axis."""
 
     left: Value
     right: Value
 
 
-class Ascending(Struct, frozen=True):
+class Ascending(Struct, frozen=True, dict=True):
     """Numbers each of which is smaller than the next: what a bound of magnitudes says."""
 
     values: tuple[Value, ...]
 
 
-class EquationLine(Struct, frozen=True):
+class EquationLine(Struct, frozen=True, dict=True):
     """An equation without a result of its own: both sides as expressions, checked when it is shown with numbers."""
 
     left: Expression
@@ -222,7 +222,7 @@ class EquationLine(Struct, frozen=True):
     numeric: bool = False
 
 
-class ProgramListing(Struct, frozen=True):
+class ProgramListing(Struct, frozen=True, dict=True):
     """A piece of a program, as text; ``results`` are the values that it prints, in order."""
 
     code: str

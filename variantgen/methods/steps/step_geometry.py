@@ -39,7 +39,7 @@ class MarkedFoot(Struct, frozen=True):
     line: tuple[str, ...]
 
 
-class ChainGraph(Struct, frozen=True):
+class ChainGraph(Struct, frozen=True, dict=True):
     """A chain of links in the notation of graphs, ``O -1-> A -2-> B``: its first point, the end of each link."""
 
     start: str

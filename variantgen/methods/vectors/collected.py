@@ -16,6 +16,8 @@ def collected(known: Sequence[tuple[int, Share]]) -> list[tuple[int, Expression]
 
     So collinear vectors are subtracted before they are projected: ``(220 - 121) cos 40.60``.
     """
+    if len(known) == 1:
+        return [_written(*known[0])]
     groups: list[list[tuple[int, Share]]] = []
     for sign, share in known:
         group = next((found for found in groups if has_angle(share, found[0][1])), None)

@@ -6,6 +6,8 @@ tangential components stand in the same relation, because the radii do not chang
 
 from __future__ import annotations
 
+from msgspec.structs import replace
+
 from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
 from variantgen.methods.groups.contact import ContactSide, contact_name
@@ -58,7 +60,7 @@ def _solve_rate(book: Book, group: ContactGroup, known: ContactSide, sought: Con
         carried = centre_parts(book, sought)
         if carried and not known.is_rest:
             say_sum(book, sought, "sum" if found.size else "balance")
-        name = contact_name(book, sought)._replace(about=sought.centre if carried else "")
+        name = replace(contact_name(book, sought), about=sought.centre if carried else "")
         if known.is_rest and len(carried) == 1 and isinstance(carried[0][1], Value):
             parts = [(-carried[0][0], carried[0][1])]  # v_KC is v_C turned back: no line of its own
         else:
@@ -77,7 +79,7 @@ def _solve_centre(book: Book, group: ContactGroup, known: ContactSide, sought: C
         parts: Parts = [(found.sign, found.size)] if found.size else []
         names = [VectorOf(contact_name(book, sought))] if found.size else []
         if sought.lever and (rate := book.rates[sought.body]).sense:
-            name = contact_name(book, sought)._replace(about=sought.centre)
+            name = replace(contact_name(book, sought), about=sought.centre)
             radius = book.geometry.radius(sought.centre, sought.radius, sought.body)
             say_sum(book, sought)
             turning = turning_speed(book, name, rate.size, radius)

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from msgspec.structs import replace
+
 from variantgen.algebra.expression import Expression, Total, Value
 from variantgen.algebra.name import Name
 from variantgen.methods.geometry.angles import degrees
@@ -97,7 +99,7 @@ def component(book: Book, side: ContactSide) -> Component:
         parts = beyond_centre(book, side, end, parts[0])
     elif side.lever and (rate := book.rates[side.body]).sense:
         about = "" if side.centre in book.task.fixed else side.centre
-        name = contact_name(book, side)._replace(about=about)
+        name = replace(contact_name(book, side), about=about)
         radius = book.geometry.radius(side.centre, side.radius, side.body)
         turning = turning_speed(book, name, rate.size, radius)
         if parts:
@@ -129,7 +131,7 @@ def say_sum(book: Book, side: ContactSide, key: str = "sum") -> None:
     """
     name = contact_name(book, side)
     facts: dict[str, Fact] = {"contact": Point(side.name), "centre": Point(side.centre), "vector": VectorOf(name)}
-    facts |= {"first": VectorOf(Name(book.letter, side.centre)), "second": VectorOf(name._replace(about=side.centre))}
+    facts |= {"first": VectorOf(Name(book.letter, side.centre)), "second": VectorOf(replace(name, about=side.centre))}
     file = "belt" if side.belt else "rope" if side.radial is None else "contact"
     book.say(f"{file}.{key}_{book.letter}", **facts)
 

@@ -196,7 +196,7 @@ def _by_law(book: Book, name: Name, measure: str, expression: Expression, rate: 
     else:
         book.items.append(Derived(rate))
         found = book.derive(name, measure, Magnitude(by_letter))
-    velocity = rate.name._replace(dots=1)
+    velocity = replace(rate.name, dots=1)
     book.values[rate.name] = rate
     if velocity in book.values and book.values[velocity].exact * rate.exact < 0:
         book.say("given.slowing", False, first=velocity, second=rate.name)
@@ -216,7 +216,7 @@ def _say_law(book: Book, template: ComponentTemplate, source: FamilyExpression) 
         if law_of(book.task.form, source) in by:
             return
         place = Name("parameter", by[0])
-        book.say("given.law_by_place", False, place=place, velocity=place._replace(dots=1))
+        book.say("given.law_by_place", False, place=place, velocity=replace(place, dots=1))
         return
     if template.component is Extension:
         book.say("given.law_d", False, segment=Segment(template.fields["start"], template.fields["end"]))

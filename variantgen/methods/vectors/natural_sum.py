@@ -17,7 +17,7 @@ from msgspec.structs import replace
 from variantgen.algebra.expression import Constant, Expression, Ratio, Total, Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import hypotenuse
-from variantgen.methods.geometry.geometry import Geometry, normal_angle
+from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.solution.book import Book, Known
 from variantgen.methods.solution.named_angles import named
 from variantgen.methods.steps.step import Fact, Share, Term, VectorOf, Word
@@ -157,11 +157,11 @@ def _line(axis: _Axis) -> VectorOf | None:
 def _oblique(terms: Sequence[Term], axis: Value) -> int:
     """How many vectors lie neither on an axis nor across it."""
     straight = axis.exact
-    return sum(_STRAIGHT <= (term.angle.exact - straight) % 90.0 <= 90.0 - _STRAIGHT for term in terms)
+    return sum([_STRAIGHT <= (term.angle.exact - straight) % 90.0 <= 90.0 - _STRAIGHT for term in terms])
 
 
 def _is_square(first: Value, second: Value) -> bool:
-    return abs(abs(normal_angle(first.exact - second.exact)) - 90.0) < _STRAIGHT
+    return abs((first.exact - second.exact) % 180.0 - 90.0) < _STRAIGHT
 
 
 def _say_lines(book: Book, terms: Sequence[Term], axes: Sequence[_Axis]) -> None:

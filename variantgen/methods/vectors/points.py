@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from msgspec.structs import replace
+
 from variantgen.algebra.expression import Constant, Expression, Total, Value
 from variantgen.algebra.name import Name
 from variantgen.algebra.normal_form import hypotenuse
@@ -65,7 +67,7 @@ def _of_other_point(book: Book, name: Name, body: str, arm: Value) -> Value | No
         return None
     asked = {q.point for q in book.task.sought if q.kind == book.letter} & set(book.task.scene.bodies[body])
     for point in sorted(asked - {name.of}):
-        found = book.values.get(name._replace(of=point))
+        found = book.values.get(replace(name, of=point))
         if found is not None and is_same(abs(book.geometry.vector(point, name.about)), arm.exact):
             return found
     return None
@@ -165,7 +167,7 @@ def renamed(book: Book, terms: Known, point: str) -> Known:
     found = []
     for term in terms:
         assert term.size is not None
-        name = term.name._replace(of=point, about="")
+        name = replace(term.name, of=point, about="")
         size = book.derive(name, book.measure, term.size)
         found.append(Term(name, size, term.angle, term.way))
     return tuple(found)
@@ -237,8 +239,7 @@ def positive(size: Value) -> Value:
 
 def sum_up(book: Book, point: str) -> None:
     """The magnitude of a vector that is known by components across each other, where it is asked."""
-    asked = any(q.kind == book.letter and q.point == point for q in book.task.sought)
-    if asked and len(book.vectors[point]) > 1:
+    if len(book.vectors[point]) > 1 and any(q.kind == book.letter and q.point == point for q in book.task.sought):
         magnitude(book, point)
 
 

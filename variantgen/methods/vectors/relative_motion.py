@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from variantgen.algebra.expression import Value
 from variantgen.algebra.name import Name
@@ -169,7 +170,7 @@ def _add_transport(book: Book, group: SlidingPair, sides: _Sides) -> None:
 def _transport(book: Book, term: Term) -> Term:
     """A vector of the rotation about a fixed point under the name of transport motion."""
     part = f"tr {term.name.part}".strip()
-    name = term.name._replace(part=part)
+    name = replace(term.name, part=part)
     if term.size is not None:
         term.size.name = name
         book.values[name] = book.values.pop(

@@ -171,11 +171,11 @@ def named_shares(
 
 def share_of(term: Term, axis: Value) -> Share | None:
     """The projection of a vector on an axis; None for one across it."""
-    angle = normal_angle(term.angle.exact - axis.exact)
-    if abs(abs(angle) - 90.0) < _PERPENDICULAR:
+    angle = abs((term.angle.exact - axis.exact + 180.0) % 360.0 - 180.0)
+    if abs(angle - 90.0) < _PERPENDICULAR:
         return None
-    obtuse = abs(angle) > 90.0
-    size = 180.0 - abs(angle) if obtuse else abs(angle)
+    obtuse = angle > 90.0
+    size = 180.0 - angle if obtuse else angle
     if size < PARALLEL:
         return Share(-1 if obtuse else 1, term, None)
     sign = -1 if obtuse else 1

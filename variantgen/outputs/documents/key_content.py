@@ -7,7 +7,7 @@ from decimal import Decimal
 
 from msgspec import Struct
 
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.sheets import Answer, Item, Sheet
 from variantgen.wording.formula import Equation, Formula, Measured, UnitText
 from variantgen.wording.language import Language

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.sheets import Answer, Sheet
 from variantgen.outputs.documents.key_content import Place, equation, key_table, mark, place, remarks, tolerance_note
 from variantgen.outputs.documents.writing import Writing

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from variantgen.exam.content import Content, PosedProblem
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.documents.writing import Writing

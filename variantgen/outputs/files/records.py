@@ -13,7 +13,7 @@ from typing import Any, BinaryIO
 
 from msgspec.structs import asdict
 
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.manifest import HASH, NAME, SCHEMA, EntriesHash, RecordedSheet
 from variantgen.exam.sheets import Item, Sheet
 from variantgen.families.reading.files import family_files

@@ -33,7 +33,7 @@ from msgspec import Struct, field
 from variantgen.errors import InputError, Problem, nearest
 from variantgen.exam import exam_file
 from variantgen.exam.content import Content
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.files.records import RECORDS

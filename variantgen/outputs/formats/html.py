@@ -8,7 +8,7 @@ from typing import Any
 
 from msgspec import Struct
 
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs import formats

@@ -10,7 +10,7 @@ from typing import Any, cast, get_args
 from msgspec import Struct
 
 from variantgen.errors import InputError, Problem, ToolMissingError, missing_package, nearest
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.roster import Student
 from variantgen.outputs.documents.key_data import key_by_problem, key_by_student
 from variantgen.outputs.documents.sheet_data import sheets_data

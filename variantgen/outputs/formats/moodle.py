@@ -22,7 +22,7 @@ from xml.sax.saxutils import unescape
 from msgspec import Struct
 
 from variantgen.errors import VariantgenError
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.roster import Student
 from variantgen.outputs import formats
 from variantgen.outputs.formats import Chunk, Fragment, WholeExam

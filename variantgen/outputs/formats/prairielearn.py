@@ -21,7 +21,7 @@ from typing import Any
 
 from msgspec import Struct
 
-from variantgen.exam.exam_file import Exam, ExamProblem
+from variantgen.exam.exam import Exam, ExamProblem
 from variantgen.exam.roster import Student
 from variantgen.families.family import Family
 from variantgen.outputs import formats

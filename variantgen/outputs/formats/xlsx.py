@@ -10,7 +10,7 @@ from pathlib import Path
 from msgspec import Struct
 
 from variantgen.errors import missing_package
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.files.student_groups import GROUPS, GroupFiles

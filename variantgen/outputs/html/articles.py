@@ -7,7 +7,7 @@ from itertools import count
 from typing import Any
 
 from variantgen.exam.content import Content
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.sheets import Sheet
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs.documents.key_content import Place

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from variantgen.exam.content import SolvedProblem
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.outputs.documents.sheet_data import notices_data, statement_data
 from variantgen.outputs.documents.solution_data import problem_data, solution_words
 from variantgen.outputs.documents.writing import Writing

@@ -13,6 +13,7 @@ from typing import Any
 import jinja2
 from markupsafe import Markup
 
+from variantgen.outputs.html.environment import environment
 from variantgen.resources import templates_dir
 
 _STYLE = "style.css"
@@ -30,14 +31,7 @@ _SUSPECT = re.compile(rb"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f\xed\xef-\xf4]"), re.com
 
 @cache
 def _environment() -> jinja2.Environment:
-    found = jinja2.Environment(
-        loader=jinja2.FileSystemLoader(templates_dir() / "html"),
-        undefined=jinja2.StrictUndefined,
-        autoescape=True,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-    )
+    found = environment("html")
     found.filters["formulas"] = _formulas
     return found
 

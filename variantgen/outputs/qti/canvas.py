@@ -10,7 +10,7 @@ from urllib.parse import quote
 from xml.etree import ElementTree
 
 from variantgen.errors import InputError, Problem
-from variantgen.exam.exam_file import Exam, ExamProblem
+from variantgen.exam.exam import Exam, ExamProblem
 from variantgen.exam.sheets import Sheet
 from variantgen.families.asking import read_ask
 from variantgen.outputs import formats

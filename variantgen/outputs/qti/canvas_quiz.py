@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from decimal import Decimal
 from xml.etree.ElementTree import Element
 
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.outputs.platforms.numbers import number
 from variantgen.outputs.qti.canvas_item import field
 from variantgen.outputs.qti.dialect import XSI

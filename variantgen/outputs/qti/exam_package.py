@@ -13,7 +13,7 @@ from xml.etree.ElementTree import Element
 
 from msgspec import Struct
 
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.outputs import formats
 from variantgen.outputs.formats import Chunk, Fragment, WholeExam
 from variantgen.outputs.platforms.questions import questions

@@ -8,7 +8,7 @@ from xml.etree.ElementTree import Element
 
 from msgspec import Struct
 
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.outputs.html.fragments import notes_html, solution_html, statement_html
 from variantgen.outputs.html.writing import HtmlWriting, in_text
 from variantgen.outputs.platforms.figure_files import UsedFigures

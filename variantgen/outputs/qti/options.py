@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from msgspec import Struct
 
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.figure.drawing import Drawing
 from variantgen.outputs.html.fragments import notices_html
 from variantgen.outputs.html.writing import HtmlWriting, in_text

@@ -6,7 +6,7 @@ import textwrap
 from pathlib import Path
 
 from variantgen.exam.content import Content
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.documents.sheet_data import group_text, points_text, sheet_notes, sheets_data, who
 from variantgen.outputs.documents.solution_data import solutions_data

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.sheets import Answer, Sheet
 from variantgen.outputs.spreadsheet import answer_page, correction_page, marking
 from variantgen.outputs.spreadsheet.headings import Headings

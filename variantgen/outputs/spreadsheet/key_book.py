@@ -10,7 +10,7 @@ from pathlib import Path
 
 from msgspec import Struct
 
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.sheets import Answer, Item, Sheet
 from variantgen.outputs.spreadsheet.headings import Headings
 from variantgen.outputs.spreadsheet.identity import WHO, finish, write_heads, write_identity

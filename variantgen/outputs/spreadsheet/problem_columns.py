@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from msgspec import Struct
 
-from variantgen.exam.exam_file import Exam, ExamProblem
+from variantgen.exam.exam import Exam, ExamProblem
 from variantgen.exam.sheets import Answer, Sheet
 from variantgen.outputs.spreadsheet.headings import Headings
 from variantgen.wording.language import Language

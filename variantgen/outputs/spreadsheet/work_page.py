@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.spreadsheet.identity import WHO, finish, write_heads, write_identity
 from variantgen.outputs.spreadsheet.workbook_writer import CELL, HEAD, Workbook

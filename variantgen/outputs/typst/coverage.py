@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Sequence
 
 from variantgen.errors import InputError, Problem
-from variantgen.exam.exam_file import Exam
+from variantgen.exam.exam import Exam
 from variantgen.exam.roster import Student
 from variantgen.outputs.typst.typesetter import Typesetter, typesetter
 

@@ -1,8 +1,8 @@
 """Rows of formulas of a solution in lines: of a column or, where a piece would become too small there, of the page.
 
 The widths of formulas are known before anything is laid out. A row that is longer than the line is broken between its
-formulas, and a formula that is longer before its signs; a piece that is longer is set smaller. Lengths in em of the
-text of solutions.
+formulas, and a formula that is longer before its signs; a piece with no room there begins further to the left, and one
+that is longer than the whole line is set smaller. Lengths in em of the text of solutions.
 """
 
 from __future__ import annotations
@@ -29,6 +29,9 @@ _ROOM = 0.05  # for what is rounded
 _NEARLY = 1.08  # by how much a width that is only estimated may be too small
 _TALL = "display("
 _CAPITALS, _LEADING = 0.683, 0.64  # the height of a line of letters, and what is between two lines
+
+# What has room in a column by itself, without being set smaller.
+WIDEST = COLUMN - _ROOM - _STOP - (_SIGN + _AFTER_SIGN)
 
 Formulas = Sequence[Sequence[tuple[str, Piece]]]  # in pieces that hold together, with the sign before each
 
@@ -128,7 +131,8 @@ def _set(lines: list[Line], pieces: Sequence[tuple[str, Piece]], widths: Sequenc
             lines.append(Line(_NEXT))
         line = lines[-1]
         if not Line(line.indent).has_room(width, room):  # it is alone on its line
-            line.scale = (room - line.indent) / (width + _STOP)
+            line.indent = max(0.0, room - width - _STOP)
+            line.scale = min(1.0, room / (width + _STOP))
         line.add(gap, sign, piece, width)
 
 

@@ -13,15 +13,13 @@ from variantgen.figure.drawing import LETTER, Drawing
 from variantgen.outputs.qr import qr_rows, qr_svg
 from variantgen.outputs.typst.broken_fraction import in_the_line
 from variantgen.outputs.typst.figure_labels import FigureLabels
-from variantgen.outputs.typst.formula_lines import Row, in_lines
+from variantgen.outputs.typst.formula_lines import WIDEST, Row, in_lines
 from variantgen.outputs.typst.markup import Piece, heading, markup, piece
 from variantgen.outputs.typst.set_formulas import set_piece
 from variantgen.outputs.typst.widths import formula_width
 from variantgen.wording.formula import Equation, Formula, Measured, Surd, UnitText
 from variantgen.wording.text import Text, with_steady_dashes
 
-# What stands in a column without being made smaller than nine tenths of its size (em).
-_TOO_WIDE = 23.0
 _STEPS = {"M": "M%d %d", "L": "L%d %d", "C": "C%d %d %d %d %d %d", "Z": "Z"}
 
 
@@ -75,7 +73,7 @@ def _pieces(sign: str, formula: Formula) -> list[tuple[str, Piece]]:
     whole = piece(formula)
     made = set_piece(whole)
     width = made.width if made else formula_width(formula)
-    return in_the_line(sign, formula) if width > _TOO_WIDE else [(sign, whole)]
+    return in_the_line(sign, formula) if width > WIDEST else [(sign, whole)]
 
 
 def figure_data(drawing: Drawing) -> dict[str, Any]:

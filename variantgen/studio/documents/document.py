@@ -22,7 +22,7 @@ from variantgen.tables import parse_toml, read_text
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from variantgen.exam.exam_file import Exam
+    from variantgen.exam.exam import Exam
 
 
 _BYTE_ORDER_MARK = b"\xef\xbb\xbf"

@@ -12,7 +12,7 @@ from typing import Any
 from msgspec.structs import replace
 
 from variantgen.errors import InputError, Problem
-from variantgen.exam.marking_policy import MarkingPolicy
+from variantgen.exam.sections.marking_policy import MarkingPolicy
 from variantgen.exam.sheets import Answer
 from variantgen.letters import unseen
 from variantgen.marking.answer_tables import read_answers

@@ -27,10 +27,10 @@ from collections.abc import Collection, Mapping
 from pathlib import Path
 
 from variantgen.errors import InputError, Problem
-from variantgen.exam.marking_policy import MarkingPolicy
+from variantgen.exam.sections.marking_policy import MarkingPolicy
 from variantgen.marking.typed_number import read_number
 from variantgen.outputs.files.records import safe_cell
-from variantgen.studio.builds import FinishedBuild
+from variantgen.studio.building.builds import FinishedBuild
 from variantgen.studio.workspace import Workspace, write_whole
 
 Asked = tuple[str, int, str]  # the code of the sheet, the number of the problem, the name of the quantity

@@ -12,7 +12,7 @@ from msgspec.structs import replace
 
 from variantgen.errors import InputError, Problem, VariantgenError
 from variantgen.exam.manifest import read_manifest
-from variantgen.exam.marking_policy import MarkingPolicy, read_policy_file
+from variantgen.exam.sections.marking_policy import MarkingPolicy, read_policy_file
 from variantgen.families.reading.folders import family_folders
 from variantgen.finished.restore import Finished, restore_unchanged
 from variantgen.marking.answer_tables import ReadAnswers, read_answers

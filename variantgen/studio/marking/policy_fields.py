@@ -7,7 +7,7 @@ from decimal import Decimal
 
 from msgspec.structs import replace
 
-from variantgen.exam.marking_policy import CAUSES, MarkingPolicy
+from variantgen.exam.sections.marking_policy import CAUSES, MarkingPolicy
 
 RULES = ("sign", "power_of_ten", "unit", "rounding", "component", "mistake", "other_answer")  # shares that are shown
 

@@ -19,7 +19,7 @@ from starlette.responses import FileResponse, HTMLResponse, JSONResponse, Respon
 from starlette.routing import Route
 
 from variantgen.errors import InputError, Problem
-from variantgen.studio.builds import FinishedBuild
+from variantgen.studio.building.builds import FinishedBuild
 from variantgen.studio.frame import command, language_of, part
 from variantgen.studio.messages import command_text
 from variantgen.studio.requests import document_of, number_of, read_json, studio_of, text_of

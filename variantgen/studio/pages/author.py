@@ -24,10 +24,10 @@ from variantgen.studio.authoring import (
     texts,
     versions,
 )
-from variantgen.studio.catalogue import ONLY, Card, cards
 from variantgen.studio.documents.document import Document
-from variantgen.studio.figures import FIRST_SEED, MOST_SEEDS
 from variantgen.studio.frame import command, language_of, render
+from variantgen.studio.gallery.cards import ONLY, Card, cards
+from variantgen.studio.gallery.figures import FIRST_SEED, MOST_SEEDS
 from variantgen.studio.pages.archive import run_command
 from variantgen.studio.requests import document_of, number_of, read_json, studio_of, text_of
 from variantgen.studio.security import FIGURE_POLICY

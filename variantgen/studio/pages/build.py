@@ -12,11 +12,11 @@ from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
 from variantgen.errors import InputError, Problem
+from variantgen.studio.building.preview import class_of
 from variantgen.studio.documents.document import Document
 from variantgen.studio.documents.edits import apply, read_operations
 from variantgen.studio.frame import build_command, language_of, render
 from variantgen.studio.messages import command_text, error_text
-from variantgen.studio.preview import class_of
 from variantgen.studio.requests import document_of, number_of, read_json, studio_of, text_of
 from variantgen.studio.studio import Studio
 from variantgen.studio.summary import groups, problems_of, students

@@ -12,10 +12,10 @@ from starlette.routing import Route
 
 from variantgen.errors import InputError, Problem
 from variantgen.families.method_names import METHODS
-from variantgen.studio.catalogue import KINDS, ONLY, TOPICS, cards
 from variantgen.studio.documents.document import Document
-from variantgen.studio.figures import FIRST_SEED, MOST_SEEDS, card_figure, known_figure, specimen
 from variantgen.studio.frame import command, language_of, part, render
+from variantgen.studio.gallery.cards import KINDS, ONLY, TOPICS, cards
+from variantgen.studio.gallery.figures import FIRST_SEED, MOST_SEEDS, card_figure, known_figure, specimen
 from variantgen.studio.requests import document_of, number_of, read_json, studio_of, text_of
 from variantgen.studio.security import FIGURE_POLICY
 from variantgen.studio.studio import Studio

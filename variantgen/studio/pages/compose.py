@@ -13,10 +13,10 @@ from starlette.routing import Route
 
 from variantgen.errors import InputError
 from variantgen.limits import TOML_BYTES
-from variantgen.studio.catalogue import cards
 from variantgen.studio.documents.document import Document
 from variantgen.studio.documents.edits import plain
 from variantgen.studio.frame import build_command, language_of, part, render
+from variantgen.studio.gallery.cards import cards
 from variantgen.studio.messages import explained
 from variantgen.studio.requests import document_of, number_of, read_json, studio_of, text_of
 from variantgen.studio.studio import Studio

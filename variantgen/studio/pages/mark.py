@@ -14,11 +14,11 @@ from starlette.responses import FileResponse, HTMLResponse, JSONResponse, Respon
 from starlette.routing import Route
 
 from variantgen.errors import InputError, Problem
+from variantgen.studio.building.preview import KINDS
 from variantgen.studio.frame import command, language_of, part, render
 from variantgen.studio.messages import command_text, error_text
 from variantgen.studio.pages.archive import run_command
 from variantgen.studio.pages.mark_changes import marking_of
-from variantgen.studio.preview import KINDS
 from variantgen.studio.requests import document_of, number_of, read_json, studio_of
 from variantgen.studio.studio import UnknownKeyError
 from variantgen.studio.summary import built_words

@@ -11,7 +11,7 @@ from starlette.requests import Request
 from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
-from variantgen.studio.builds import FinishedBuild
+from variantgen.studio.building.builds import FinishedBuild
 from variantgen.studio.deeds import of_file
 from variantgen.studio.frame import language_of
 from variantgen.studio.requests import WINDOW, document_of, read_json, save_upload, studio_of, text_of

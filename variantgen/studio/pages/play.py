@@ -11,12 +11,12 @@ from starlette.responses import HTMLResponse, JSONResponse, Response
 from starlette.routing import Route
 
 from variantgen.errors import InputError, Problem
-from variantgen.studio.catalogue import ONLY, cards, family_files, own_folders
+from variantgen.studio.building.preview import class_of
 from variantgen.studio.documents.document import Document
-from variantgen.studio.figures import FIRST_SEED, MOST_SEEDS
 from variantgen.studio.frame import command, language_of, part, render
+from variantgen.studio.gallery.cards import ONLY, cards, family_files, own_folders
+from variantgen.studio.gallery.figures import FIRST_SEED, MOST_SEEDS
 from variantgen.studio.pages.choose import shown_card
-from variantgen.studio.preview import class_of
 from variantgen.studio.requests import document_of, number_of, studio_of
 from variantgen.studio.studio import Studio
 from variantgen.studio.summary import problems_of

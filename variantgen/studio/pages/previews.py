@@ -12,9 +12,9 @@ from starlette.responses import JSONResponse, Response
 from starlette.routing import Route
 
 from variantgen.errors import InputError, Problem
+from variantgen.studio.building.preview import KINDS, class_of
 from variantgen.studio.documents.document import Document
 from variantgen.studio.frame import language_of
-from variantgen.studio.preview import KINDS, class_of
 from variantgen.studio.requests import document_of, number_of, read_json, studio_of, text_of
 from variantgen.studio.security import FIGURE_POLICY
 from variantgen.studio.studio import Studio

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 
 from msgspec import Struct, field
+from msgspec.structs import replace
 
 from variantgen.algebra.name import ON_LINE, Name
 from variantgen.families.family import Form
@@ -83,7 +84,7 @@ class Symbols(Struct, frozen=True, eq=False):
                 number = (Index(name.about),) if name.about else ()
                 return Symbol("r", (*number, *self._body_index(name.of)))
             case "heading":
-                return Symbol("theta", self._vector(name._replace(kind=name.body, body="")).index)
+                return Symbol("theta", self._vector(replace(name, kind=name.body, body="")).index)
             case "omega" | "epsilon":
                 index = [*self._body_index(name.of), *([Index("z")] if name.part == "z" else [])]
                 return Symbol(self.language.letter(name.kind), tuple(index))
@@ -141,7 +142,7 @@ class Symbols(Struct, frozen=True, eq=False):
         if name.about:
             end = self.language.carrying(name.of)[-1] if self._is_carried(name) else point
             point = self.language.relative_to(end.text, name.about)
-        spoken = self._words(name._replace(part=" ".join(word for word in words if word != "tr")))
+        spoken = self._words(replace(name, part=" ".join(word for word in words if word != "tr")))
         symbol = Symbol(self.language.letter(name.kind), (*before, *spoken, point, *axes))
         for word in words:
             if word in _COMPONENTS:

@@ -112,7 +112,7 @@ class Builds:
         }
         try:
             found.process = await asyncio.create_subprocess_exec(
-                sys.executable, "-m", "variantgen.studio.build_process",
+                sys.executable, "-m", "variantgen.studio.building.process",
                 stdin=asyncio.subprocess.PIPE, stdout=asyncio.subprocess.PIPE,
             )  # fmt: skip
         except BaseException:

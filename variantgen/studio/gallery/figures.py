@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from variantgen.errors import InputError, Problem
 from variantgen.resources import catalog_dir
-from variantgen.studio.catalogue import ONLY, family_file, family_version, own_folders
-from variantgen.studio.shipped import shipped_figure
+from variantgen.studio.gallery.cards import ONLY, family_file, family_version, own_folders
+from variantgen.studio.gallery.shipped import shipped_figure
 from variantgen.studio.workspace import Workspace, write_whole
 
 if TYPE_CHECKING:

@@ -2,7 +2,7 @@
 
 They lie in ``assets/shipped``. Those of a family whose file, or whose description in ``assets/catalogue.toml``, has
 been changed since are left aside: they are made when they are asked for. After a change of the catalogue or of how
-figures look, ``python -m variantgen.studio.shipping`` makes all of them anew.
+figures look, ``python -m variantgen.studio.gallery.shipping`` makes all of them anew.
 """
 
 from __future__ import annotations

@@ -16,7 +16,7 @@ from variantgen.studio.workspace import USUAL_CLASS, Workspace
 
 if TYPE_CHECKING:
     from variantgen.builder.preview import DrawnClass
-    from variantgen.exam.exam_file import Exam
+    from variantgen.exam.exam import Exam
     from variantgen.exam.roster import Student
     from variantgen.exam.sheets import Sheet
     from variantgen.finished.restore import Finished

@@ -16,7 +16,7 @@ from variantgen.families.method_names import METHODS
 from variantgen.families.reading.files import FAMILY
 from variantgen.limits import TOML_BYTES
 from variantgen.resources import catalog_dir
-from variantgen.studio.shipped import shipped_cards
+from variantgen.studio.gallery.shipped import shipped_cards
 from variantgen.studio.words import ASSETS, LANGUAGES
 from variantgen.studio.workspace import Workspace, is_own, write_whole
 from variantgen.version import VERSION

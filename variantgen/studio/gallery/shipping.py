@@ -1,4 +1,7 @@
-"""Makes the cards and figures that :mod:`variantgen.studio.shipped` has: ``python -m variantgen.studio.shipping``."""
+"""Makes the cards and figures that :mod:`variantgen.studio.gallery.shipped` has.
+
+``python -m variantgen.studio.gallery.shipping`` does it.
+"""
 
 from __future__ import annotations
 
@@ -8,9 +11,9 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from variantgen.studio.catalogue import cards_of, family_files
-from variantgen.studio.figures import FIRST_SEED, draw_card
-from variantgen.studio.shipped import FOLDER, INDEX, mark_of, name_of
+from variantgen.studio.gallery.cards import cards_of, family_files
+from variantgen.studio.gallery.figures import FIRST_SEED, draw_card
+from variantgen.studio.gallery.shipped import FOLDER, INDEX, mark_of, name_of
 from variantgen.studio.words import LANGUAGES
 from variantgen.studio.workspace import Workspace
 
