@@ -7,9 +7,9 @@
         settled.json        who had to draw again, and which problems of parts are changed
         made/0000012*       pieces of the outputs; whole as soon as 0000012.json, their list, is there
 
-Every file has its name only when it is whole. All but the pieces begin with a line that is a digest of
-the plan, the name of the file and the rest of it; the list of pieces has their digests. What is damaged, or of another
-plan, is as if it were not there.
+Problems and pieces are written by the process that has made them, if it has this disk. Every file has its name only
+when it is whole. All but the pieces begin with a line that is a digest of the plan, the name of the file and the rest
+of it; the list of pieces has their digests. What is damaged, or of another plan, is as if it were not there.
 """
 
 from __future__ import annotations
