@@ -297,5 +297,4 @@ def discs_of(form: Form, body: str | None, centre: str) -> list[DiscMark]:
 
 def task_of(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity]) -> Task:
     """The task of one variant of a solved batch."""
-    length_unit = float(unit(variant.family.length_unit).factor)
-    return Task(variant, tuple(asked), instant(motion, index, length_unit))
+    return Task(variant, tuple(asked), instant(motion, index, float(unit(variant.family.length_unit).factor)))
