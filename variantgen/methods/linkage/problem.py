@@ -290,5 +290,4 @@ def _units(length: str) -> dict[str, str]:
 
 def task_of(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity]) -> Task:
     """The task of one variant of a solved batch."""
-    length_unit = float(unit(variant.family.length_unit).factor)
-    return Task(variant, tuple(asked), instant(motion, index, length_unit))
+    return Task(variant, tuple(asked), instant(motion, index, float(unit(variant.family.length_unit).factor)))
