@@ -12,7 +12,7 @@ import variantgen
 from benchmarks.measure import Table, fastest
 from benchmarks.options import Options
 from benchmarks.rivals import MECHANISMS, Mechanism, numpy_way
-from benchmarks.solver import difference
+from benchmarks.solver import difference, solved
 from variantgen.arrays.batch import Batch
 
 TITLE = "Batches"
@@ -62,9 +62,7 @@ def batches(mechanism: Mechanism, sizes: tuple[int, ...], rounds: int) -> Table:
         took = fastest(
             {
                 "batch": lambda size=size: drawn(mechanism, size),  # type: ignore[misc]
-                "solver": lambda form=form, values=values: variantgen.solve(  # type: ignore[misc]
-                    form.scene(form.values(values)), 2, form.plan
-                ),
+                "solver": solved(form, values),
                 "closed": closed,
                 "one": lambda few=few: [  # type: ignore[misc]
                     variantgen.answers(variantgen.draw(family, None, [("benchmark", i)])[0]) for i in range(few)

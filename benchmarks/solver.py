@@ -12,6 +12,7 @@ from benchmarks.measure import Table, fastest
 from benchmarks.options import Options
 from benchmarks.rivals import EXTRA, MECHANISMS, Mechanism, ways
 from variantgen.families.family import Family, Form
+from variantgen.families.form_motion import motion_of
 from variantgen.families.parameters.draw_rules import frame
 from variantgen.families.reading.folders import family_names
 from variantgen.families.reading.load import load_family
@@ -25,7 +26,7 @@ TITLE = "The solver"
 SIZES = (1, 10, 100, 1000, 10_000)
 _DRAWN = 100  # different variants; larger batches repeat them
 _ROUNDS = 5
-OWN, PREPARED = "variantgen", "variantgen, scene made beforehand"
+OWN, PREPARED = "variantgen", "variantgen.solve, scene made beforehand"
 
 Columns = dict[str, NDArray[np.float64]]
 
@@ -56,7 +57,7 @@ def repeated(values: Columns, size: int) -> Columns:
 
 def solved(form: Form, values: Columns, on_paper: Frame | None = None) -> Callable[[], Motion]:
     """The whole way from arrays of parameters to accelerations."""
-    return lambda: solve(form.scene(form.values(values), on_paper), 2, form.plan)
+    return lambda: motion_of(form, values, on_paper)
 
 
 def catalogue_table(forms: Sequence[tuple[Family, Form]], sizes: Sequence[int], rounds: int) -> Table:

@@ -25,6 +25,7 @@ from variantgen.errors import InputError, Problem
 from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.families.asking import Ask, check_ask, read_ask
 from variantgen.families.family import Family, Form
+from variantgen.families.form_motion import motion_of
 from variantgen.families.parameters.draw_rules import frame
 from variantgen.families.quantities import Quantity
 from variantgen.families.reading.folders import Folders
@@ -32,7 +33,6 @@ from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import by_parameter, restrict
 from variantgen.mechanism.motion import ComplexField, Field, Motion
 from variantgen.mechanism.outcome import Outcome
-from variantgen.mechanism.solving.solve import solve
 from variantgen.notebook import display
 from variantgen.variants.attempts import FormSampler, VerificationError
 from variantgen.variants.batch import Attempts, RejectionCounts
@@ -238,6 +238,6 @@ def _solved(
 ) -> Batch:
     """The batch of attempts, solved."""
     sense, turns = np.array(poses)[attempts.pose].T
-    values = form.values({name: form.parameters[name].si[i] for name, i in attempts.index.items()})
-    motion = solve(form.scene(values, frame(sense, turns)), 2, form.plan)
+    parameters = {name: form.parameters[name].si[i] for name, i in attempts.index.items()}
+    motion = motion_of(form, parameters, frame(sense, turns))
     return Batch(family, form, asked, motion, attempts.index, sense, turns, attempts.number)

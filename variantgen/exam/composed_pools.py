@@ -142,7 +142,8 @@ def _pool(options: _Options, said: int | None, report: Callable[[int, int], obje
                 before, best = len(best), max(best, _alike(made, count), key=len)
                 if len(best) > before:
                     report(len(best), count)
-    return tuple(sorted(member.folder for member in best))
+    # In the order of their names, as they are found where the pool lies beside the exam file.
+    return tuple(sorted((member.folder for member in best), key=lambda folder: folder.name))
 
 
 def _member(options: _Options, structure: Structure, round_: int, tried: Path, aims: Mapping[int, Span]) -> _Member:

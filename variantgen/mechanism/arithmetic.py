@@ -37,7 +37,7 @@ def unit_vector(angle: Real) -> Complex:
     numbers of many digits, say) is taken as it is.
     """
     cos, sin = np.cos(angle), np.sin(angle)
-    if isinstance(cos, np.ndarray | np.generic):
+    if hasattr(cos, "dtype"):
         limit = 4 * rounding(cos)
         cos = np.where(np.abs(cos) < limit, 0.0, cos)
         sin = np.where(np.abs(sin) < limit, 0.0, sin)
@@ -50,7 +50,8 @@ def from_parts(x: Real, y: Real) -> Complex:
         z = np.empty(x.shape, dtype=np.result_type(x, np.complex64))
         z.real, z.imag = x, y
         return z
-    result: Complex = x + 1j * y
+    # Of two numbers of a recording (see mechanism.program), which are no arrays and stand for arrays.
+    result: Complex = x.joined(y) if hasattr(x, "joined") and hasattr(y, "joined") else x + 1j * y
     return result
 
 
@@ -68,7 +69,7 @@ def cross(a: Complex, b: Complex) -> Real:
 
 def unit_towards(start: Complex, end: Complex) -> tuple[Complex, Flags]:
     """Unit vector from start to end, and whether it exists (the points are apart)."""
-    step = np.asarray(end - start)
+    step = end - start
     length = np.abs(step)
     apart = length > 4 * EPS * (np.abs(start) + np.abs(end))
     return np.where(apart, step, 1.0) / np.where(apart, length, 1.0), apart

@@ -31,7 +31,7 @@ from variantgen.variants.screening import motion_screens, sensitivity
 from variantgen.variants.seeding import Stream
 from variantgen.variants.variant import Variant
 
-MOST_TRIES = 160  # layouts of a structure
+MOST_TRIES = 320  # layouts of a structure
 _LOOKED_AT, _BY_HAND = 48, 6  # draws of a layout: all of them, and those whose solutions are worked out
 _VALID, _VALID_ASKED = 0.3, 0.15  # least shares of them that pass the screens, without answers and with them
 _CM = 100.0  # of a metre

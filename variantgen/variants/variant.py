@@ -11,10 +11,10 @@ from msgspec import Struct
 from numpy.typing import NDArray
 
 from variantgen.families.family import Family, Form
+from variantgen.families.form_motion import motion_of
 from variantgen.families.parameters.draw_rules import frame
 from variantgen.mechanism.arithmetic import Real
 from variantgen.mechanism.motion import Motion
-from variantgen.mechanism.solving.solve import solve
 from variantgen.notebook import display
 
 
@@ -94,6 +94,5 @@ def is_speeding_up(form: Form, values: Mapping[str, Real]) -> list[Any]:
 def solve_variants(variants: Sequence[Variant], order: int) -> Motion:
     """The motion of variants that share one form, as one batch in their order."""
     form = variants[0].form
-    values = form.values(parameter_arrays(variants))
     on_paper = frame([v.sense for v in variants], [v.turns for v in variants])
-    return solve(form.scene(values, on_paper), order, form.plan)
+    return motion_of(form, parameter_arrays(variants), on_paper, order)

@@ -22,7 +22,7 @@ def thread_direction(
     between the centres, ``sin(turn) = (side*radius - end_side*end_radius) / |d|`` turns the line of centres into the
     thread; a point is a drum of radius zero.
     """
-    step = np.asarray(end - start)
+    step = end - start
     gap = np.abs(step)
     offset = side * radius - end_side * end_radius
     exists = gap > np.abs(offset)

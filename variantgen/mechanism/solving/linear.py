@@ -24,7 +24,7 @@ class ScaledEquation(Struct, frozen=True):
 
 
 class ScaledDeterminant(Struct, frozen=True):
-    """Scaled determinant of a block in [0, 1], and whether it is far enough from zero to divide by."""
+    """Scaled determinant of a block, 0 to 1 but for rounding, and whether it is far enough from 0 to divide by."""
 
     value: Real
     regular: Flags
@@ -58,9 +58,9 @@ def solve_block(
 
 
 def _scaled_determinant(determinant: Real, scale: Real) -> ScaledDeterminant:
-    present = np.asarray(scale) > 0
-    value = np.where(present, np.abs(determinant) / np.where(present, scale, 1.0), 0.0)
-    return ScaledDeterminant(np.minimum(value, 1.0), value > SINGULAR)
+    # Without a scale there is no determinant either, and zero is left.
+    value = np.abs(determinant) / np.where(scale > 0, scale, 1.0)
+    return ScaledDeterminant(value, value > SINGULAR)
 
 
 def _solve_one(
@@ -139,4 +139,4 @@ def _inverted(equations: Sequence[ScaledEquation], unknowns: Sequence[int]) -> S
     square = np.einsum("ikn,jkn->nij", inverted, inverted)
     smallest = np.where(found, 1.0 / np.sqrt(np.linalg.eigvalsh(square)[:, -1]), 0.0)
     regular = smallest > SINGULAR
-    return ScaledInverse(np.minimum(smallest, 1.0), regular, np.where(regular, inverted, 0.0), rows, columns)
+    return ScaledInverse(smallest, regular, np.where(regular, inverted, 0.0), rows, columns)

@@ -6,6 +6,7 @@ from functools import cache
 
 import numpy as np
 
+LARGE = 2000  # variants of a batch from which on its arrays are large for the C library
 # The largest block whose freeing the C library of Linux takes for a sign that more of the kind will come (32 MB, less
 # what it adds itself).
 _BLOCK = (32 << 20) - (64 << 10)

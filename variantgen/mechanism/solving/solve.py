@@ -20,11 +20,8 @@ from variantgen.mechanism.scene import Scene
 from variantgen.mechanism.solving.digits import decided_by_rounding, near_singular
 from variantgen.mechanism.solving.forms import QuadraticTerms, VelocityForms
 from variantgen.mechanism.solving.linear import ScaledDeterminant, ScaledEquation, solve_block
-from variantgen.mechanism.solving.memory import keep_freed_memory
+from variantgen.mechanism.solving.memory import LARGE, keep_freed_memory
 from variantgen.mechanism.solving.structure import Closure, Plan, analyse
-
-# Batches from here on have arrays that are large for the C library.
-_LARGE = 2000
 
 
 def solve(scene: Scene, order: int = 2, plan: Plan | None = None) -> Motion:
@@ -34,12 +31,16 @@ def solve(scene: Scene, order: int = 2, plan: Plan | None = None) -> Motion:
     over-determined; ``Motion.outcome`` says what happened to single variants.
     """
     plan = plan or analyse(scene)
-    places, outcome = place(scene, plan)
-    motion = _batch(scene, places, outcome)
-    return _mark_undecidable(add_speeds(motion, plan, order), plan, order) if order else motion
+    return mark_undecidable(solve_equations(scene, order, plan), plan, order)
 
 
-def _mark_undecidable(motion: Motion, plan: Plan, order: int) -> Motion:
+def solve_equations(scene: Scene, order: int, plan: Plan) -> Motion:
+    """The motion as it comes out, whether doubles can tell it or not: what a program of a form repeats."""
+    motion = _batch(scene, *place(scene, plan))
+    return add_speeds(motion, plan, order) if order else motion
+
+
+def mark_undecidable(motion: Motion, plan: Plan, order: int) -> Motion:
     """The motion with the variants marked as DEAD_POINT whose result changes by more than 4 % under input rounding."""
     near = near_singular(motion)
     if not near.size:
@@ -48,7 +49,7 @@ def _mark_undecidable(motion: Motion, plan: Plan, order: int) -> Motion:
 
     def again(scene: Scene) -> Motion:
         scene = from_picture(scene, {name: few.frame.unplace(z) for name, z in few.z.items()})
-        return add_speeds(_batch(scene, *place(scene, plan)), plan, order)
+        return solve_equations(scene, order, plan)
 
     outcome = motion.outcome.copy()
     outcome[near[decided_by_rounding(few, again)]] = Outcome.DEAD_POINT
@@ -94,11 +95,11 @@ def _construct(scene: Scene, name: str, at: dict[str, Complex], outcome: Real) -
 def _batch(scene: Scene, places: Mapping[str, Complex], outcome: Real) -> Motion:
     drives = [rate for driver in scene.drivers for order in (1, 2) for rate in driver.rates(order)]
     shape = np.broadcast_shapes((1,), np.shape(outcome), *(np.shape(x) for x in (*places.values(), *drives)))
-    if shape[0] >= _LARGE:
+    if shape[0] >= LARGE:
         keep_freed_memory()
     return Motion(
         scene,
-        np.broadcast_to(np.asarray(outcome, dtype=np.int8), shape),
+        _full(outcome, shape).astype(np.int8),
         np.ones(shape),
         {name: _full(z, shape, np.complex128) for name, z in places.items()},
         {},
@@ -159,9 +160,8 @@ class Equations:
 
 def _full(x: Complex, shape: tuple[int, ...], least: type = np.float64) -> NDArray[Any]:
     """An array over the batch, of doubles (``least``) or of what the scene is given in if that has more digits."""
-    if type(x) is np.ndarray and x.shape == shape and x.dtype == least:
-        return x
-    return np.broadcast_to(np.asarray(x, dtype=np.result_type(x, least)), shape)
+    fits = getattr(x, "shape", None) == shape and x.dtype == least
+    return x if fits else np.broadcast_to(np.asarray(x, dtype=np.result_type(x, least)), shape)
 
 
 def _rates(scene: Scene, plan: Plan, order: int) -> list[Real]:

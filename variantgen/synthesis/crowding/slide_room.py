@@ -15,7 +15,7 @@ from variantgen.synthesis.crowding.segments import Bar, off
 Places: TypeAlias = Mapping[str, Any]  # numbers or arrays, cm
 # What they keep from each other in the layout and on all draws, in parts of the whole.
 _BEARING = 0.1, 0.07
-_BLOCKS = 0.13, 0.11
+_BLOCKS = 0.11, 0.075
 _RACK_END = 0.06, 0.04
 # How far a rod at the slider of a rack is from lying along it: sine of the angle, 1 for an obtuse one.
 _RACK_START = 0.77, 0.64
