@@ -10,6 +10,7 @@ from benchmarks import solution_texts
 from variantgen.algebra.expression import Constant, Expression, Value
 from variantgen.exam.solution_figures import SolutionFigure
 from variantgen.figure.drawing import Layer
+from variantgen.figure.lettered_sketch import finish
 from variantgen.figure.sketch import Sketch
 from variantgen.wording.solution.document import Paragraph, Section, SolutionText
 
@@ -62,7 +63,7 @@ def test_a_quantity_that_nothing_uses_is_counted() -> None:
 def test_figures_are_counted_as_they_are_on_paper() -> None:
     sketch = Sketch({}, 1.0)
     sketch.arrow(0j, 4 + 0j, Layer.SLIDER, head=2.6)
-    short = SolutionFigure("velocities", replace(sketch.finish({}), width=80.0), (), 0.8)
+    short = SolutionFigure("velocities", replace(finish(sketch, {}), width=80.0), (), 0.8)
     plan = replace(short, name="velocity_plan", unit=1.25)  # 100 mm
     shown = SimpleNamespace(draw=lambda names: None, rows=lambda: ((short, plan),))
     counted = solution_texts.of_figures(shown, [])

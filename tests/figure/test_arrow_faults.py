@@ -9,6 +9,7 @@ from msgspec.structs import astuple
 
 from variantgen.figure.drawing import BOLD, Arc, Drawing, Layer, RotationArc
 from variantgen.figure.inspection.arrow_faults import inspect_arrows
+from variantgen.figure.lettered_sketch import finish
 from variantgen.figure.placement.label_requests import along_arrow
 from variantgen.figure.sketch import Sketch
 from variantgen.wording.formula import Symbol
@@ -30,7 +31,7 @@ def turn(sketch: Sketch, centre: complex, radius: float, rims: tuple[float, ...]
 
 
 def finished(sketch: Sketch) -> Drawing:
-    return sketch.finish({})
+    return finish(sketch, {})
 
 
 def kinds(sketch: Sketch) -> dict[str, int]:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from variantgen.figure.drawing import Arc, Layer
 from variantgen.figure.ink import Segments, boxes_crossed_by, gaps_to_box, spans_of
+from variantgen.figure.lettered_sketch import finish
 from variantgen.figure.placement.label_requests import LabelRequest, along_arrow, along_line, around
 from variantgen.figure.placement.labels import PlacedLabels, WantedLabels, place_labels
 from variantgen.figure.placement.occupancy import CELL, Occupancy
@@ -134,4 +135,4 @@ def test_a_label_on_a_plate_has_the_shade_behind_it() -> None:
     sketch.path(corners, Layer.DISC, closed=True, fill="shade")
     sketch.label(around(A, 12 + 12j, 1.0))
     sketch.label(around(B, 30 + 30j, 1.0))
-    assert [label.paper for label in sketch.finish({}).labels] == ["shade", "paper"]
+    assert [label.paper for label in finish(sketch, {}).labels] == ["shade", "paper"]

@@ -13,6 +13,7 @@ from variantgen.exam.solution_figures import SolutionFigures
 from variantgen.figure.build import Mechanism, statement_figure
 from variantgen.figure.drawing import Drawing, Layer
 from variantgen.figure.inspection.faults import inspect_labels
+from variantgen.figure.lettered_sketch import finish
 from variantgen.figure.motion.motion_board import LEAST
 from variantgen.figure.motion.motion_data import MovingMechanism, motion_data
 from variantgen.figure.motion.vectors import vectors_of
@@ -191,7 +192,7 @@ def test_letters_find_room_on_the_paper(name: str, form: str, order: int) -> Non
 def test_the_mechanism_alone_shows_no_data(name: str, form: str) -> None:
     variants, motion, asked = variants_of(name, form, 1)
     board = Mechanism(variants[0], motion, 0, asked, EN).board(marks=False)
-    plain = board.sketch.finish({})
+    plain = finish(board.sketch, {})
     whole = statement_figure(variants[0], motion, 0, asked, EN)
     points = {to_plain(board.symbol(p)) for p in board.shown}
     texts = [{to_plain(label.formula) for label in drawing.labels} for drawing in (plain, whole)]

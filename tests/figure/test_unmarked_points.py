@@ -6,6 +6,7 @@ import pytest
 
 from variantgen.figure.drawing import Layer
 from variantgen.figure.inspection.faults import unmarked_points
+from variantgen.figure.lettered_sketch import finish
 from variantgen.figure.sketch import DOT, HINGE, Sketch
 
 
@@ -17,5 +18,5 @@ def test_a_point_in_the_middle_of_a_rod_needs_a_dot(dots: tuple[complex, ...], e
     sketch.circle(5 + 5j, HINGE, Layer.HINGE)
     for dot in dots:
         sketch.circle(dot, DOT, Layer.HINGE, fill="ink")
-    drawing = sketch.finish({})
+    drawing = finish(sketch, {})
     assert unmarked_points(drawing, {name: place + drawing.origin for name, place in places.items()}) == expected

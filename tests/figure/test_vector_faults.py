@@ -10,6 +10,7 @@ from variantgen.check.report import Report
 from variantgen.exam import solution_figures
 from variantgen.figure.drawing import Drawing, Label, Layer
 from variantgen.figure.inspection.faults import buried_heads, vector_faults
+from variantgen.figure.lettered_sketch import finish
 from variantgen.figure.sketch import Sketch
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.variant import solve_variants
@@ -20,7 +21,7 @@ def arrow(start: complex, tip: complex) -> Drawing:
     """A drawing with one arrow whose head is 2.6 units long."""
     sketch = Sketch({}, 1.0)
     sketch.arrow(start, tip, Layer.SLIDER, head=2.6)
-    return sketch.finish({})
+    return finish(sketch, {})
 
 
 @pytest.mark.parametrize(("length", "faulty"), [(5.0, True), (5.4, False), (12.0, False)])
@@ -32,7 +33,7 @@ def test_the_head_of_an_arc_of_rotation_is_no_short_arrow() -> None:
     sketch = Sketch({}, 1.0)
     sketch.path((8 + 0j, 20 + 0j), Layer.VECTOR)
     sketch.arc_arrow(0j, 8.0, -1.0, 1.0)  # its head begins where the line does
-    assert not vector_faults(sketch.finish({}))
+    assert not vector_faults(finish(sketch, {}))
 
 
 def test_heads_on_what_belongs_to_other_points_are_found() -> None:
@@ -41,7 +42,7 @@ def test_heads_on_what_belongs_to_other_points_are_found() -> None:
         sketch.circle(20 + 0j, 1.1, Layer.HINGE, fill="paper")
         for start, end in ((0j, tip), (0j, 12j), (10 + 20j, 30 + 20j)):
             sketch.arrow(start, end, Layer.SLIDER)
-        return sketch.finish({})
+        return finish(sketch, {})
 
     for tip in (20.5 + 0j, 20 + 19.5j):  # on the hinge; on the arrow that begins elsewhere
         (found,) = buried_heads(drawing(tip).lines)

@@ -19,6 +19,7 @@ from variantgen.figure.board import Board
 from variantgen.figure.drawing import BOLD, MEDIUM, Drawing, Layer
 from variantgen.figure.graph import with_graphs
 from variantgen.figure.guide_angles import draw_guide_angle
+from variantgen.figure.lettered_sketch import finish
 from variantgen.figure.links import draw_links, draw_walls
 from variantgen.figure.making import Making, made
 from variantgen.figure.marks import draw_angle, draw_disc_name, draw_length, draw_radius, draw_right_angle
@@ -77,7 +78,7 @@ def _alt_text(board: Board, asked: Sequence[Quantity]) -> str:
 
 def finished(board: Board) -> Drawing:
     """The drawing of a board: labels placed, everything in order; without an alternative text."""
-    return board.sketch.finish(board.draft().named)
+    return finish(board.sketch, board.draft().named)
 
 
 class Mechanism(Struct, frozen=True, dict=True):

@@ -11,7 +11,8 @@ from typing import NamedTuple, TypeAlias
 
 from variantgen.errors import InputError
 from variantgen.figure.drawing import Drawing
-from variantgen.figure.sketch import Lettered, Sketch, lettered
+from variantgen.figure.lettered_sketch import Lettered, lettered
+from variantgen.figure.sketch import Sketch
 from variantgen.wording.words import MissingWordError
 
 _AT_ONCE = 8  # figures of which the labels are placed together: with more their arrays leave the cache

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterable, Mapping, Sequence
-from functools import cached_property
+from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -13,11 +12,10 @@ from msgspec import Struct, field
 from msgspec.structs import replace
 from numpy.typing import NDArray
 
-from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Drawing, Label, Layer, Line, Path, RotationArc, Strokes
+from variantgen.figure.drawing import BOLD, MEDIUM, Arc, Layer, Line, Path, RotationArc, Strokes
 from variantgen.figure.ink import Sides
 from variantgen.figure.obstacles import Obstacles, Outline
 from variantgen.figure.placement.label_requests import LabelRequest
-from variantgen.figure.placement.labels import NOTHING_PLACED, WantedLabels, place_labels
 from variantgen.wording.formula import Symbol
 
 MARGIN = 1.5
@@ -203,95 +201,13 @@ class Sketch(Struct):
         """Lower left and upper right corner of what is drawn so far."""
         new = self.lines[self._bounded :]
         if new:
-            self._corners = _box([*self._corners, *(place for line in new for place in _extent(line))])
+            self._corners = box_about([*self._corners, *(place for line in new for place in _extent(line))])
             self._bounded = len(self.lines)
         low, high = self._corners
         return low, high
 
-    def finish(self, named: Mapping[str, complex]) -> Drawing:
-        """Place the labels, beside which other places are ``named``, and put everything in order."""
-        (found,) = lettered([(self, named)])
-        return found.drawing
 
-
-class Lettered(Struct, frozen=True, dict=True):
-    """A sketch with its labels placed: the drawing is put in order only if it is kept."""
-
-    sketch: Sketch
-    labels: Sequence[Label]
-    leaders: Sequence[Path]
-    doubtful: bool
-
-    @cached_property
-    def _box(self) -> tuple[complex, complex]:
-        """Lower left and upper right corner of everything."""
-        corners = [*self.sketch.corners()] if self.sketch.lines else []
-        corners += [point for leader in self.leaders for point in leader.points]
-        for label in self.labels:
-            half = 0.5 * complex(*label.size)
-            corners += [label.at - half, label.at + half]
-        low, high = _box(corners)
-        return low - complex(MARGIN, MARGIN), high + complex(MARGIN, MARGIN)
-
-    @property
-    def width(self) -> float:
-        """The width of the paper (u)."""
-        low, high = self._box
-        return (high - low).real
-
-    @cached_property
-    def drawing(self) -> Drawing:
-        """The paper cut to size, everything in order."""
-        sketch, (low, high) = self.sketch, self._box
-        ordered = sorted([*sketch.lines, *self.leaders], key=lambda line: line.layer)
-        plates = [line.points for line in sketch.lines if isinstance(line, Path) and line.fill == "shade"]
-        return Drawing(
-            high.real - low.real,
-            high.imag - low.imag,
-            tuple([moved(line, -low) for line in ordered]),
-            tuple([_on_paper(x, -low, plates) for x in self.labels]),
-            scale=sketch.scale,
-            origin=-low,
-            beyond=tuple(sketch.beyond),
-            lengthened=sketch.lengthened,
-            doubtful=self.doubtful,
-            rotations=tuple([turn._replace(arc=_moved_arc(turn.arc, -low)) for turn in sketch.rotations]),
-        )
-
-
-def lettered(sketches: Sequence[tuple[Sketch, Mapping[str, complex]]]) -> list[Lettered]:
-    """Several sketches with their labels placed, each with the places that are named beside them."""
-    wanted = [
-        WantedLabels(sketch.requests, sketch.obstacles.segments(), list(named.values()))
-        for sketch, named in sketches
-        if sketch.requests
-    ]
-    placed = iter(place_labels(wanted) if wanted else ())
-    return [Lettered(sketch, *(next(placed) if sketch.requests else NOTHING_PLACED)) for sketch, _ in sketches]
-
-
-def _on_paper(label: Label, by: complex, plates: Sequence[Sequence[complex]]) -> Label:
-    """A label moved to its place on the paper; ``plates`` are where it was placed."""
-    arrow = None if label.arrow is None else (label.arrow[0] + by, label.arrow[1] + by)
-    return Label(label.formula, label.at + by, label.size, _behind(label, plates), arrow)
-
-
-def _behind(label: Label, plates: Sequence[Sequence[complex]]) -> str:
-    """What lies behind a label, which stands clear of the outlines of plates: their shade or paper."""
-    return "shade" if any(_surrounds(corners, label.at) for corners in plates) else "paper"
-
-
-def _surrounds(corners: Sequence[complex], place: complex) -> bool:
-    """Whether a polygon has a place inside: a ray to the right crosses its sides an odd number of times."""
-    inside = False
-    for start, end in zip(corners, (*corners[1:], corners[0]), strict=True):
-        low, high = start - place, end - place
-        if (low.imag > 0) != (high.imag > 0):
-            inside ^= low.real - low.imag * (high.real - low.real) / (high.imag - low.imag) > 0
-    return inside
-
-
-def _box(points: Sequence[complex]) -> tuple[complex, complex]:
+def box_about(points: Sequence[complex]) -> tuple[complex, complex]:
     """Lower left and upper right corner of the box about points."""
     every = np.array(points)
     x, y = every.real, every.imag
@@ -315,8 +231,9 @@ def moved(line: Line, by: complex) -> Line:
         return Path(tuple([p + by for p in line.points]), line.layer, line.weight, line.closed, line.fill, line.dash)
     if isinstance(line, Strokes):
         return Strokes(tuple([(p + by, q + by) for p, q in line.segments]), line.layer, line.weight)
-    return _moved_arc(line, by)
+    return moved_arc(line, by)
 
 
-def _moved_arc(arc: Arc, by: complex) -> Arc:
+def moved_arc(arc: Arc, by: complex) -> Arc:
+    """An arc at another place."""
     return arc._replace(centre=arc.centre + by)

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from variantgen.families.family import Form
 from variantgen.figure.drawing import BOLD, THIN, Layer, Line
-from variantgen.figure.equations.surroundings import Surroundings, corners_about, largest, size_of
+from variantgen.figure.equations.surroundings import Surroundings, corners_about, largest
 from variantgen.figure.ink import segments_of, spaced
 from variantgen.figure.making import Making, Unlettered
 from variantgen.figure.motion.contact_letters import draw_dot
@@ -115,15 +115,13 @@ class BodyBoard:
         """
         z = self.subject.mechanism.places
         bodies = self._surroundings(z, 1.0).extent()
-        whole = size_of(bodies)
+        low, high = corners_about(bodies)
+        whole = high - low
         most = largest(bodies, size * self.room.real, size * _BODIES_HIGH * self.room.imag)
         if not math.isfinite(most):
-            most = largest(
-                [z[name] for name in self.named], size * self.room.real, size * _BODIES_HIGH * self.room.imag
-            )
+            most = largest([z[p] for p in self.named], size * self.room.real, size * _BODIES_HIGH * self.room.imag)
         steps = math.ceil(math.log(_LEAST_RODS if self._rods else _LEAST_BODY, _SMALLER))
         scales = list(accumulate(repeat(_SMALLER, steps), mul, initial=most))
-        low, high = corners_about(bodies)
         number = 0
         while True:
             number = self._roomiest(scales, [(low, 0j), (high, 0j), *spread(longest)], number)

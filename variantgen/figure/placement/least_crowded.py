@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from variantgen.figure.inspection.faults import buried_heads, count_label_faults, misread_labels
+from variantgen.figure.lettered_sketch import Lettered
 from variantgen.figure.making import Making, Unlettered
-from variantgen.figure.sketch import Lettered
 
 _FAULT, _BURIED = 10, 3  # a label that is crossed or covered, a head of an arrow that is, in leaders
 _FEW, _SHARE = 2, 6  # leaders that do not make a drawing crowded: so many, or one for so many labels

@@ -46,8 +46,8 @@ class MisleadingPlaces:
             arrow_of.append(-1 if arrow is None else len(arrows[number]))
             if arrow is not None:
                 arrows[number].append(arrow)
-        # What each label names, and the strangers of its figure, those on arrows and lines first; shape (points, labels),
-        # since numpy is quick along the last axis.
+        # What each label names, and the strangers of its figure, those on arrows and lines first. The shape is (points,
+        # labels), since numpy is quick along the last axis.
         self._own = _columns([r.own for r in requests])
         self._extended = max(map(len, extended))
         every = np.concatenate((_columns(extended), _columns(points)))[:, figure]
