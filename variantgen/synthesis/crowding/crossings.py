@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from variantgen.synthesis.crowding.seen import Seen
 from variantgen.synthesis.crowding.segments import cross, off
-from variantgen.synthesis.crowding.slide_room import rooms
+from variantgen.synthesis.crowding.slide_room import clearances
 from variantgen.synthesis.draft import Draft
 
 _STILL_MARKED = 0.2  # of the whole, between the corners of two marked angles
@@ -29,8 +29,8 @@ def crossed(draft: Draft, z: Mapping[str, NDArray[np.complex128]]) -> NDArray[np
         found |= np.abs(z[one] - z[other]) < _STILL_MARKED * size
     for point, bar in seen.near_guides():
         found |= cross(seen.with_guide(z, point, size), ("start", "end"), bar)
-    for room in rooms(seen):
-        found |= room.measured(z, size) < room.still
+    for clearance in clearances(seen):
+        found |= clearance.measured(z, size) < clearance.still
     for wheel in draft.wheels:
         for bar in seen.off_wheel(wheel):
             found |= off(z, wheel.centre, bar) < wheel.largest + _OFF_RIM * size

@@ -21,19 +21,19 @@ _RACK_END = 0.06, 0.04
 _RACK_START = 0.77, 0.64
 
 
-class Room(Struct, frozen=True):
+class Clearance(Struct, frozen=True):
     """What something keeps from something else, measured from places and the size of the whole.
 
-    ``first``: how much it is to be in the layout, ``still`` on all draws; ``told``: what is wrong where it is less.
+    ``first``: how much it is to be in the layout, ``still`` on all draws; ``message``: what is wrong where it is less.
     """
 
     measured: Callable[[Places, Any], Any]
     first: float
     still: float
-    told: str
+    message: str
 
 
-def rooms(seen: Seen) -> Iterator[Room]:
+def clearances(seen: Seen) -> Iterator[Clearance]:
     """All that is to be looked at."""
     yield from _bearings(seen)
     yield from _blocks(seen)
@@ -48,29 +48,29 @@ def _of_bar(point: str, bar: Bar) -> Callable[[Places, Any], Any]:
     return lambda z, size: off(z, point, bar) / size
 
 
-def _bearings(seen: Seen) -> Iterator[Room]:
+def _bearings(seen: Seen) -> Iterator[Clearance]:
     """Hinges and links at the bearing of a yoke."""
     for stem in seen.draft.hints.get("stems", ()):
         yoke = next(points for points in seen.draft.bodies.values() if stem in points)
         for name in seen.visible:
             if name not in yoke:
-                yield Room(_of_point(stem, name), *_BEARING, f"{name} at the bearing of a yoke")
+                yield Clearance(_of_point(stem, name), *_BEARING, f"{name} at the bearing of a yoke")
         for bar in seen.draft.bars:
             if not {*bar} & {*yoke}:
-                yield Room(_of_bar(stem, bar), *_BEARING, f"{bar[0]}{bar[1]} at the bearing of a yoke")
+                yield Clearance(_of_bar(stem, bar), *_BEARING, f"{bar[0]}{bar[1]} at the bearing of a yoke")
 
 
-def _blocks(seen: Seen) -> Iterator[Room]:
+def _blocks(seen: Seen) -> Iterator[Clearance]:
     """Two blocks in one slot, or a block beside the slider to which the slot belongs."""
     for slot in seen.draft.hints.get("grooves", ()):
         own = next(points for points in seen.draft.bodies.values() if {*slot} <= {*points})
         riding = [point for point, *ends in seen.draft.inside if {*ends} == {*slot}]
         riding += [own[0]] if own[1:] == slot else []  # a slider with its slot across it, not a yoke
         for one, other in combinations(riding, 2):
-            yield Room(_of_point(one, other), *_BLOCKS, f"{one} beside {other} in a slot")
+            yield Clearance(_of_point(one, other), *_BLOCKS, f"{one} beside {other} in a slot")
 
 
-def _racks(seen: Seen) -> Iterator[Room]:
+def _racks(seen: Seen) -> Iterator[Clearance]:
     """A link at the end of a rack, which no point marks; a rod over its start."""
     for body, noun in seen.draft.nouns.items():
         if noun != TOOTHED_RACK:
@@ -78,10 +78,10 @@ def _racks(seen: Seen) -> Iterator[Room]:
         slider, end = seen.draft.bodies[body]
         for bar in seen.draft.bars:
             if slider not in bar:
-                yield Room(_of_bar(end, bar), *_RACK_END, f"{bar[0]}{bar[1]} at the end of a rack")
+                yield Clearance(_of_bar(end, bar), *_RACK_END, f"{bar[0]}{bar[1]} at the end of a rack")
             elif end not in bar:
-                told = f"{bar[0]}{bar[1]} over the start of a rack"
-                yield Room(_off_start(slider, end, bar), *_RACK_START, told)
+                message = f"{bar[0]}{bar[1]} over the start of a rack"
+                yield Clearance(_off_start(slider, end, bar), *_RACK_START, message)
 
 
 def _off_start(slider: str, end: str, bar: Bar) -> Callable[[Places, Any], Any]:
