@@ -4,8 +4,8 @@
 
 Draws N variants of every form of every family and counts labels that cover another label, a line or a symbol, or leave
 the paper; leaders; the smallest free space around a label; hinges nearer to each other than a symbol; the faults of
-arrows that ``variantgen.figure.arrow_faults`` finds, points that nothing marks; the largest figures; the time of a
-figure. Prints a Markdown table and, run on the whole catalogue, writes it to
+arrows that ``variantgen.figure.inspection.arrow_faults`` finds, points that nothing marks; the largest figures; the
+time of a figure. Prints a Markdown table and, run on the whole catalogue, writes it to
 ``benchmarks/figures.md``. Times depend on the machine.
 """
 
@@ -24,10 +24,10 @@ from variantgen.families.family import Family, Form
 from variantgen.families.quantities import parse_quantity
 from variantgen.families.reading.folders import family_names
 from variantgen.families.reading.load import load_family
-from variantgen.figure.arrow_faults import inspect_arrows
 from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import Arc, Drawing, Layer
-from variantgen.figure.faults import inspect_labels, unmarked_points
+from variantgen.figure.inspection.arrow_faults import inspect_arrows
+from variantgen.figure.inspection.faults import inspect_labels, unmarked_points
 from variantgen.figure.sketch import HINGE
 from variantgen.outputs.typst.typesetter import typesetter
 from variantgen.outputs.typst.writing import figure_data

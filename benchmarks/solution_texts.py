@@ -28,7 +28,7 @@ from variantgen.families.asking import read_ask
 from variantgen.families.reading import folders, load
 from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
-from variantgen.figure.faults import misread_labels, short_arrows
+from variantgen.figure.inspection.faults import misread_labels, short_arrows
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import task_of
 from variantgen.variants.draw import draw

@@ -28,7 +28,7 @@ from variantgen.families.method_names import METHODS
 from variantgen.families.reading.folders import family_names
 from variantgen.families.reading.load import load_family
 from variantgen.figure.build import statement_figure
-from variantgen.figure.faults import figure_faults
+from variantgen.figure.inspection.faults import figure_faults
 from variantgen.mechanism.verification.verify import recompute
 from variantgen.methods.compose import solution
 from variantgen.methods.linkage.problem import task_of

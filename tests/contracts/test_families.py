@@ -15,10 +15,10 @@ from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.families.quantities import parse_quantity
 from variantgen.families.reading.folders import family_names
 from variantgen.families.reading.load import load_family
-from variantgen.figure.arrow_faults import inspect_arrows
 from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import Arc, Drawing, Label, Layer
-from variantgen.figure.faults import figure_faults, inspect_labels, leaders
+from variantgen.figure.inspection.arrow_faults import inspect_arrows
+from variantgen.figure.inspection.faults import figure_faults, inspect_labels, leaders
 from variantgen.mechanism.drivers.rotation import Rotation
 from variantgen.resources import languages
 from variantgen.variants.draw import FamilySampler as VariantDrawing

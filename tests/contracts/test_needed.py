@@ -112,7 +112,7 @@ def test_solve_loads_no_more_than_it_needs() -> None:
     assert {name for name in own if name.startswith("mechanism.turn.")} == {"mechanism.turn.crank"}
     assert "methods.by_groups.turn_answers" not in own
     printing = ("agreement", "beside_motion", "checks", "compose", "printed_numbers")
-    others = ("by_groups.closed_chain", "by_groups.three_rates", "centres.projections", "vectors.cylinder")
+    others = ("by_groups.closed_chain", "by_groups.three_rates", "centres.projections", "vectors.sliding.cylinder")
     assert not own & there(*(f"methods.{name}" for name in (*printing, *others, "steps.printed_digits")))
     assert not {name for name in own if name.startswith(("methods.coordinates", "methods.graphical"))}
     assert packages <= CLASSES | {"numpy"}

@@ -16,7 +16,7 @@ from variantgen.families.reading.folders import family_names
 from variantgen.families.reading.load import load_family
 from variantgen.families.restrict import restrict
 from variantgen.figure.build import statement_figure
-from variantgen.figure.faults import figure_faults
+from variantgen.figure.inspection.faults import figure_faults
 from variantgen.mechanism.motion import Motion
 from variantgen.resources import languages
 from variantgen.variants.attempts import FormSampler

@@ -7,8 +7,8 @@ import math
 import pytest
 from msgspec.structs import astuple
 
-from variantgen.figure.arrow_faults import inspect_arrows
 from variantgen.figure.drawing import BOLD, Arc, Drawing, Layer, RotationArc
+from variantgen.figure.inspection.arrow_faults import inspect_arrows
 from variantgen.figure.placement.label_requests import along_arrow
 from variantgen.figure.sketch import Sketch
 from variantgen.wording.formula import Symbol

@@ -12,10 +12,10 @@ from msgspec.structs import replace
 from variantgen.families.quantities import parse_quantity
 from variantgen.families.reading.folders import family_names
 from variantgen.families.reading.load import load_family
-from variantgen.figure import glyphs
 from variantgen.figure.build import statement_figure
-from variantgen.figure.glyphs import KERNING, TABLE
-from variantgen.figure.lettering import typeset
+from variantgen.figure.letters import glyphs
+from variantgen.figure.letters.glyphs import KERNING, TABLE
+from variantgen.figure.letters.lettering import typeset
 from variantgen.figure.placement.label_requests import label_size
 from variantgen.outputs.typst.glyph_table import table
 from variantgen.outputs.typst.typesetter import typesetter

@@ -9,7 +9,7 @@ from variantgen.errors import InputError, Problem
 from variantgen.exam.solution_figures import STATEMENT, SolutionFigures, draw_together, view_order
 from variantgen.figure.build import draw_statement
 from variantgen.figure.drawing import Drawing, Layer
-from variantgen.figure.faults import count_label_faults, misread_labels
+from variantgen.figure.inspection.faults import count_label_faults, misread_labels
 from variantgen.figure.making import Making, Unlettered, all_made, made, tried
 from variantgen.figure.placement.label_requests import around
 from variantgen.figure.placement.occupancy import Occupancy

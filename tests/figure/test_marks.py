@@ -11,7 +11,7 @@ from variantgen.check.family import check_family
 from variantgen.families.quantities import parse_quantity
 from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import Arc, Drawing, Layer, Path, Strokes
-from variantgen.figure.faults import inspect_labels
+from variantgen.figure.inspection.faults import inspect_labels
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.variant import Variant, solve_variants
 from variantgen.wording.formula import Symbol

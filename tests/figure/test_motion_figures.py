@@ -12,7 +12,7 @@ from tests.figure.reading import FORMS, arrows, dots, has_arrow, variants_of, vi
 from variantgen.exam.solution_figures import SolutionFigures
 from variantgen.figure.build import Mechanism, statement_figure
 from variantgen.figure.drawing import Drawing, Layer
-from variantgen.figure.faults import inspect_labels
+from variantgen.figure.inspection.faults import inspect_labels
 from variantgen.figure.motion.motion_board import LEAST
 from variantgen.figure.motion.motion_data import MovingMechanism, motion_data
 from variantgen.figure.motion.vectors import vectors_of

@@ -16,7 +16,7 @@ from tests.figure.reading import FORMS, arrows, has_arrow, variants_of, view_dra
 from variantgen.errors import InputError
 from variantgen.families.parameters.units import unit
 from variantgen.figure.drawing import THIN, Drawing, Layer, Path
-from variantgen.figure.faults import inspect_labels
+from variantgen.figure.inspection.faults import inspect_labels
 from variantgen.figure.motion.motion_data import MovingMechanism, motion_data
 from variantgen.figure.motion.plans import COINCIDENT, PlanVector, round_length
 from variantgen.figure.motion.vectors import vectors_of

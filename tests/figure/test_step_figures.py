@@ -12,7 +12,7 @@ import pytest
 from tests.figure.reading import FORMS, arrows, dots
 from variantgen.exam.solution_figures import STATEMENT, SolutionFigure, SolutionFigures, view_order
 from variantgen.figure.drawing import Arc, Drawing, Layer, Path, Strokes
-from variantgen.figure.faults import figure_faults, misread_labels, short_arrows
+from variantgen.figure.inspection.faults import figure_faults, misread_labels, short_arrows
 from variantgen.mechanism.motion import Motion
 from variantgen.methods.solution_options import SolutionOptions
 from variantgen.single import asked_quantities, one_variant

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from variantgen.figure.drawing import Layer
-from variantgen.figure.faults import unmarked_points
+from variantgen.figure.inspection.faults import unmarked_points
 from variantgen.figure.sketch import DOT, HINGE, Sketch
 
 

@@ -9,7 +9,7 @@ from variantgen.check import explained
 from variantgen.check.report import Report
 from variantgen.exam import solution_figures
 from variantgen.figure.drawing import Drawing, Label, Layer
-from variantgen.figure.faults import buried_heads, vector_faults
+from variantgen.figure.inspection.faults import buried_heads, vector_faults
 from variantgen.figure.sketch import Sketch
 from variantgen.single import asked_quantities, one_variant
 from variantgen.variants.variant import solve_variants

@@ -93,7 +93,10 @@ def test_other_inputs_are_left_to_the_solver(other: list[Any]) -> None:
     assert program([float, float], lambda a, b: [a + b]).motion(NO_SCENE, other) is None
 
 
-@pytest.mark.parametrize("ask", [bool, float, np.asarray, lambda x: [1.0, 2.0][x], np.linalg.norm])
+own = np.frompyfunc(abs, 1, 1)  # a function of arrays that numpy has not
+
+
+@pytest.mark.parametrize("ask", [bool, float, np.asarray, lambda x: [1.0, 2.0][x], np.linalg.norm, own])
 def test_a_computation_that_asks_for_values_is_refused(ask: Callable[[Any], Any]) -> None:
     with pytest.raises(TypeError):
         program([float], lambda a: [a if ask(a) else -a])

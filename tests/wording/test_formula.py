@@ -13,7 +13,7 @@ from matplotlib import rc_context
 from matplotlib.mathtext import MathTextParser
 
 from tests.wording.formulas import CM_PER_S, LINES, PHI, A, B, C, cos, deg, minus, num, plus, sym, times
-from variantgen.figure.lettering import typeset
+from variantgen.figure.letters.lettering import typeset
 from variantgen.outputs.single.motion_plot import STYLE
 from variantgen.outputs.typst.markup import markup
 from variantgen.outputs.typst.typesetter import Typesetter, typesetter

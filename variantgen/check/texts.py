@@ -18,9 +18,9 @@ from variantgen.check.statement_reading import read_sheet
 from variantgen.errors import VariantgenError
 from variantgen.families.family import Family
 from variantgen.families.quantities import Quantity, parse_quantity
-from variantgen.figure.arrow_faults import inspect_arrows
 from variantgen.figure.build import statement_figure
-from variantgen.figure.faults import figure_faults, unmarked_points
+from variantgen.figure.inspection.arrow_faults import inspect_arrows
+from variantgen.figure.inspection.faults import figure_faults, unmarked_points
 from variantgen.mechanism.motion import Motion
 from variantgen.resources import languages
 from variantgen.variants.printed_data import given_names, shown_points

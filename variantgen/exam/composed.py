@@ -16,7 +16,7 @@ from variantgen.families.family import Family
 from variantgen.families.quantities import Quantity, motion_order
 from variantgen.families.reading.files import CASES
 from variantgen.figure.build import statement_figure
-from variantgen.figure.faults import figure_faults
+from variantgen.figure.inspection.faults import figure_faults
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.verification.verify import recompute
 from variantgen.methods.hand.work import work_of

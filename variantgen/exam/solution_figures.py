@@ -11,9 +11,9 @@ from variantgen.families.quantities import Quantity, split_name
 from variantgen.figure.build import statement_figure
 from variantgen.figure.drawing import LETTER, Drawing
 from variantgen.figure.equations.body_board import FigureSubject
-from variantgen.figure.faults import figure_faults, vector_faults
 from variantgen.figure.graph import solved_grid
-from variantgen.figure.letter_run import INDEX
+from variantgen.figure.inspection.faults import figure_faults, vector_faults
+from variantgen.figure.letters.letter_run import INDEX
 from variantgen.figure.making import Making, tried
 from variantgen.figure.motion.motion_data import MovingMechanism
 from variantgen.figure.views import view

@@ -81,3 +81,8 @@ class FigureHints(Struct, frozen=True):
     graph: tuple[str, ...] = ()
     named: tuple[str, ...] = ()
     axial: tuple[tuple[str, ...], ...] = ()
+
+    def discs_of(self, body: str | None, centre: str) -> list[DiscMark]:
+        """The discs about a point: of the body (None: of the ground), then those of nobody in particular."""
+        found = [disc for disc in self.discs if disc.centre == centre and disc.body in ("", body or "")]
+        return sorted(found, key=lambda disc: not disc.body)

@@ -55,5 +55,5 @@ def recorded_program(form: Form, posed: bool, order: int) -> MotionProgram | Non
 
     try:
         return MotionProgram([float] * len(names) + [complex, float] * posed, solved)
-    except TypeError:
+    except (TypeError, AttributeError):  # of numbers that are none yet, and have not all that arrays have
         return None

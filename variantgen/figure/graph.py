@@ -20,7 +20,7 @@ from variantgen.families.parameters.units import unit
 from variantgen.families.quantities import Quantity, split_name
 from variantgen.families.rate_graphs import grid_of
 from variantgen.figure.drawing import BOLD, LETTER, MEDIUM, THIN, Drawing, Label, Layer, Line, Path
-from variantgen.figure.lettering import typeset
+from variantgen.figure.letters.lettering import typeset
 from variantgen.figure.sketch import moved
 from variantgen.mechanism.motion import Field
 from variantgen.mechanism.turn.crank_turn import FULL_TURN, crank_turn

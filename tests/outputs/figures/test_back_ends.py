@@ -17,7 +17,7 @@ from msgspec.structs import replace
 from variantgen.errors import InputError, ToolMissingError
 from variantgen.figure.drawing import MEDIUM, THIN, Arc, Drawing, Label, Layer
 from variantgen.figure.drawing import Path as Polyline
-from variantgen.figure.lettering import letters_of, typeset
+from variantgen.figure.letters.lettering import letters_of, typeset
 from variantgen.figure.placement.label_requests import label_size
 from variantgen.outputs.figures import MILLIMETRES, back_ends, mpl, png, write_figure
 from variantgen.outputs.figures.svg import svg

@@ -11,7 +11,7 @@ from msgspec import Struct
 from numpy.typing import NDArray
 
 from variantgen.figure.drawing import LETTER
-from variantgen.figure.lettering import typeset
+from variantgen.figure.letters.lettering import typeset
 from variantgen.wording.formula import Formula, Measured, Number
 
 Places = NDArray[np.complex128]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from variantgen.figure.faults import buried_heads, count_label_faults, misread_labels
+from variantgen.figure.inspection.faults import buried_heads, count_label_faults, misread_labels
 from variantgen.figure.making import Making, Unlettered
 from variantgen.figure.sketch import Lettered
 

@@ -85,8 +85,8 @@ class Recorded(np.lib.mixins.NDArrayOperatorsMixin):
         raise TypeError(f"the values of {self.operation.name} are not known while it is recorded")
 
     def __array_ufunc__(self, ufunc: np.ufunc, method: str, *operands: Any, **options: Any) -> Any:
-        if method != "__call__" or options or ufunc.nout != 1:
-            return NotImplemented
+        if method != "__call__" or options or ufunc.nout != 1 or getattr(np, ufunc.__name__, None) is not ufunc:
+            return NotImplemented  # so numpy raises TypeError
         return _applied(self.recording, ufunc, [_plain(x) for x in operands])
 
     def __array_function__(self, function: Any, _: Any, operands: tuple[Any, ...], options: dict[str, Any]) -> Any:

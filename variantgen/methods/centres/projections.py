@@ -11,7 +11,7 @@ from variantgen.methods.groups.wanted import is_rate_wanted
 from variantgen.methods.solution.book import Book, resultant
 from variantgen.methods.solution.named_angles import named
 from variantgen.methods.steps.step import Body, Fact, Point, Projection, Segment, Sentence, Share, Term, VectorOf
-from variantgen.methods.vectors.contact_parts import enter_rate
+from variantgen.methods.vectors.contacts.contact_parts import enter_rate
 from variantgen.methods.vectors.natural_sum import ordered_sum, signed
 from variantgen.methods.vectors.point_paths import on_path
 from variantgen.methods.vectors.points import vector

@@ -32,7 +32,7 @@ from variantgen.methods.steps.step import (
     VectorLine,
     VectorOf,
 )
-from variantgen.methods.vectors.contact_parts import signed_sum
+from variantgen.methods.vectors.contacts.contact_parts import signed_sum
 from variantgen.methods.vectors.natural_sum import first_along
 from variantgen.methods.vectors.points import sum_of
 from variantgen.methods.vectors.vector_equation import share_of, shares

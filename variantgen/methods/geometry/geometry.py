@@ -23,7 +23,7 @@ from variantgen.methods.geometry.position_lines import PositionLines
 from variantgen.methods.geometry.printed_angles import Way, placed_by_angles
 from variantgen.methods.geometry.radii import UnnamedRadii
 from variantgen.methods.geometry.shortest_path import ShortestPaths
-from variantgen.methods.linkage.problem import CLOSE, Task, discs_of
+from variantgen.methods.linkage.problem import CLOSE, Task
 from variantgen.methods.steps.step import Body, Derived, Segment
 
 __all__ = ["Geometry", "between", "degrees", "normal_angle"]
@@ -114,7 +114,7 @@ class Geometry(PositionLines):
         """The radius of a body's circle about a point, by its disc in the figure."""
         key = frozenset((centre, f"{exact:.9g}", f"radius of {body}"))
         if key not in self._lengths:
-            found = (self.read_length(disc.radius) for disc in discs_of(self.task.form, body, centre))
+            found = (self.read_length(disc.radius) for disc in self.task.form.figure.discs_of(body, centre))
             near = (item for item in found if abs(item.number(True) - exact) < CLOSE * exact)
             self._lengths[key] = self._radius_by(next(near, None), body, exact)
         return self._lengths[key]

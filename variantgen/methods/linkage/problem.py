@@ -16,7 +16,6 @@ from msgspec.structs import replace
 from variantgen.algebra.expression import Constant, Expression, Pi, Value
 from variantgen.algebra.name import Name
 from variantgen.families.family import Form
-from variantgen.families.figure_hints import DiscMark
 from variantgen.families.literal_data import literal_data, literal_radii
 from variantgen.families.parameters.expressions import FamilyExpression
 from variantgen.families.parameters.solved_law import SolvedLaw
@@ -256,7 +255,7 @@ class Task(Struct, frozen=True, dict=True):
 
         Of another body's disc about the same point it is not, though as large by chance. None where none is drawn.
         """
-        for disc in discs_of(self.form, body, centre):
+        for disc in self.form.figure.discs_of(body, centre):
             near = abs(self.read(disc.radius) / self.length_unit - exact) <= CLOSE * exact
             if near and (found := self.expressed(disc.radius)) is not None:
                 return found
@@ -287,12 +286,6 @@ def _units(length: str) -> dict[str, str]:
     """The units of all measures by that of lengths."""
     units = {"length": length, "velocity": f"{length}/s", "acceleration": f"{length}/s^2", "angle": "deg"}
     return units | {"angular velocity": "rad/s", "angular acceleration": "rad/s^2", "time": "s", "number": "1"}
-
-
-def discs_of(form: Form, body: str | None, centre: str) -> list[DiscMark]:
-    """The discs about a point in the figure: of the body (None: of the ground), then those of nobody in particular."""
-    found = [disc for disc in form.figure.discs if disc.centre == centre and disc.body in ("", body or "")]
-    return sorted(found, key=lambda disc: not disc.body)
 
 
 def task_of(variant: Variant, motion: Motion, index: int, asked: Sequence[Quantity]) -> Task:

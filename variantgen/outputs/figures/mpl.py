@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from variantgen.errors import missing_package
 from variantgen.figure.curves import AROUND, DASHES, Step, curves
 from variantgen.figure.drawing import LETTER, Drawing, Layer, Line
-from variantgen.figure.lettering import letters_of
+from variantgen.figure.letters.lettering import letters_of
 from variantgen.outputs.figures import unit
 
 if TYPE_CHECKING:

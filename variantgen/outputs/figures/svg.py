@@ -13,8 +13,8 @@ from xml.sax.saxutils import escape, quoteattr
 
 from variantgen.figure.curves import AROUND, DASHES, Curve, curves
 from variantgen.figure.drawing import LETTER, Drawing, Label
-from variantgen.figure.glyphs import Glyph
-from variantgen.figure.lettering import letters_of
+from variantgen.figure.letters.glyphs import Glyph
+from variantgen.figure.letters.lettering import letters_of
 from variantgen.outputs.figures import unit
 from variantgen.wording.formula import Formula
 

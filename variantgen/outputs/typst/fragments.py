@@ -12,9 +12,9 @@ from collections.abc import Iterable, Sequence
 from functools import cache, lru_cache
 from typing import Any, cast
 
-from variantgen.figure.glyphs import STRETCHED, glyph, glyph_names
-from variantgen.figure.letter_run import SCALE, Letters, PlacedLetters, follows
-from variantgen.figure.lettering import Lettering
+from variantgen.figure.letters.glyphs import STRETCHED, glyph, glyph_names
+from variantgen.figure.letters.letter_run import SCALE, Letters, PlacedLetters, follows
+from variantgen.figure.letters.lettering import Lettering
 
 _DIGITS = 4
 # Spaces of the font of formulas: widths in em, which the font has in thousandths.

@@ -17,8 +17,8 @@ from typing import Any
 
 import numpy as np
 
-from variantgen.figure.glyphs import KERNING, STRETCHED, TABLE, outline
-from variantgen.figure.tall_letters import ROOT
+from variantgen.figure.letters.glyphs import KERNING, STRETCHED, TABLE, outline
+from variantgen.figure.letters.tall_letters import ROOT
 from variantgen.outputs.typst.fragments import italic
 from variantgen.outputs.typst.typesetter import Typesetter, typesetter
 from variantgen.wording.formula import GREEK

@@ -11,8 +11,8 @@ from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from typing import Any, NamedTuple
 
-from variantgen.figure.letter_run import UNKNOWN
-from variantgen.figure.lettering import lettering
+from variantgen.figure.letters.letter_run import UNKNOWN
+from variantgen.figure.letters.lettering import lettering
 from variantgen.outputs.typst.fragments import Fragment, FragmentTable, fragments_of, rounded
 from variantgen.outputs.typst.markup import Piece, TypstMarkup, marked
 from variantgen.wording.formula import (

@@ -8,9 +8,9 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import NDArray
 
+from variantgen.synthesis.crowding.clearances import clearances
 from variantgen.synthesis.crowding.seen import Seen
 from variantgen.synthesis.crowding.segments import cross, off
-from variantgen.synthesis.crowding.slide_room import clearances
 from variantgen.synthesis.draft import Draft
 
 _STILL_MARKED = 0.2  # of the whole, between the corners of two marked angles

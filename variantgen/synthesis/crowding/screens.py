@@ -7,9 +7,9 @@ import math
 from collections.abc import Mapping
 from itertools import combinations
 
+from variantgen.synthesis.crowding.clearances import clearances
 from variantgen.synthesis.crowding.seen import Seen
 from variantgen.synthesis.crowding.segments import Bar, cross, off
-from variantgen.synthesis.crowding.slide_room import clearances
 from variantgen.synthesis.draft import Draft
 
 _APART, _CLEAR = 0.09, 0.06  # of hinges; of a hinge from a foreign link: sizes
@@ -65,11 +65,7 @@ def _on_bars(seen: Seen) -> str:
 def _at_slides(seen: Seen) -> str:
     """A link or a point in the way of what shows that something slides."""
     return next(
-        (
-            clearance.message
-            for clearance in clearances(seen)
-            if clearance.measured(seen.z, seen.size) < clearance.first
-        ),
+        (clearance.fault for clearance in clearances(seen) if clearance.measured(seen.z, seen.size) < clearance.first),
         "",
     )
 

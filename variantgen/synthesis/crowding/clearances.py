@@ -24,13 +24,13 @@ _RACK_START = 0.77, 0.64
 class Clearance(Struct, frozen=True):
     """What something keeps from something else, measured from places and the size of the whole.
 
-    ``first``: how much it is to be in the layout, ``still`` on all draws; ``message``: what is wrong where it is less.
+    ``first``: how much it is to be in the layout, ``still`` on all draws; ``fault``: what is wrong where it is less.
     """
 
     measured: Callable[[Places, Any], Any]
     first: float
     still: float
-    message: str
+    fault: str
 
 
 def clearances(seen: Seen) -> Iterator[Clearance]:
@@ -80,8 +80,8 @@ def _racks(seen: Seen) -> Iterator[Clearance]:
             if slider not in bar:
                 yield Clearance(_of_bar(end, bar), *_RACK_END, f"{bar[0]}{bar[1]} at the end of a rack")
             elif end not in bar:
-                message = f"{bar[0]}{bar[1]} over the start of a rack"
-                yield Clearance(_off_start(slider, end, bar), *_RACK_START, message)
+                fault = f"{bar[0]}{bar[1]} over the start of a rack"
+                yield Clearance(_off_start(slider, end, bar), *_RACK_START, fault)
 
 
 def _off_start(slider: str, end: str, bar: Bar) -> Callable[[Places, Any], Any]:

@@ -14,7 +14,7 @@ from variantgen.methods.groups.contact import ContactSide, contact_name, letter_
 from variantgen.methods.groups.group import ContactGroup
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Body, Fact, Point, Segment, VectorOf, Word
-from variantgen.methods.vectors.contact_parts import (
+from variantgen.methods.vectors.contacts.contact_parts import (
     Parts,
     enter_rate,
     enter_with_way,

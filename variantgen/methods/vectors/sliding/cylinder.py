@@ -15,11 +15,11 @@ from variantgen.methods.geometry.geometry import Geometry
 from variantgen.methods.groups.group import ExtendingLink
 from variantgen.methods.solution.book import Book, Known, resultant
 from variantgen.methods.steps.step import Body, Fact, Point, Segment, Term, VectorOf, Word
-from variantgen.methods.vectors.coriolis import say_unneeded
 from variantgen.methods.vectors.given_motion import amount, as_stated
 from variantgen.methods.vectors.point_paths import directed
 from variantgen.methods.vectors.points import across, vector
 from variantgen.methods.vectors.pole import about_pole, enter_rate
+from variantgen.methods.vectors.sliding.coriolis import say_unneeded
 from variantgen.methods.vectors.vector_equation import pointing, solved, write
 
 

@@ -16,7 +16,7 @@ from variantgen.methods.groups.contacts_of_scene import contact_of
 from variantgen.methods.groups.group import ContactGroup
 from variantgen.methods.solution.book import Book, Rate
 from variantgen.methods.steps.step import Body, Fact, Point, Sentence, Term, VectorOf, Word
-from variantgen.methods.vectors.diameter import beyond_centre, other_end
+from variantgen.methods.vectors.contacts.diameter import beyond_centre, other_end
 from variantgen.methods.vectors.directions import QUARTERS, on_paper
 from variantgen.methods.vectors.point_paths import on_path
 from variantgen.methods.vectors.points import modulus

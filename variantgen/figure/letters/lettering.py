@@ -13,9 +13,9 @@ from functools import lru_cache
 from msgspec import Struct
 
 from variantgen.figure.drawing import LETTER, Label
-from variantgen.figure.glyphs import Glyph
-from variantgen.figure.letter_run import Bar, PlacedGlyph, PlacedLetters, Run, digits, script, set_name
-from variantgen.figure.tall_letters import enclosed, fraction, root
+from variantgen.figure.letters.glyphs import Glyph
+from variantgen.figure.letters.letter_run import Bar, PlacedGlyph, PlacedLetters, Run, digits, script, set_name
+from variantgen.figure.letters.tall_letters import enclosed, fraction, root
 from variantgen.wording.formula import (
     Absolute,
     Equation,

@@ -14,7 +14,7 @@ from variantgen.methods.groups.contact import ContactSide, contact_name
 from variantgen.methods.groups.group import ContactGroup
 from variantgen.methods.solution.book import Book
 from variantgen.methods.steps.step import Body, Fact, Point, VectorOf
-from variantgen.methods.vectors.contact_parts import (
+from variantgen.methods.vectors.contacts.contact_parts import (
     Parts,
     centre_parts,
     combined,
@@ -28,9 +28,9 @@ from variantgen.methods.vectors.contact_parts import (
     sides_of,
     views_of,
 )
+from variantgen.methods.vectors.contacts.two_contacts import solve_two_contacts
 from variantgen.methods.vectors.points import turns_uniformly, vector
 from variantgen.methods.vectors.turning_speed import turning_speed
-from variantgen.methods.vectors.two_contacts import solve_two_contacts
 
 
 def solve_contact(book: Book, group: ContactGroup) -> None:

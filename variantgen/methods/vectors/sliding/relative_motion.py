@@ -22,13 +22,13 @@ from variantgen.methods.groups.group import SlidingPair
 from variantgen.methods.groups.wanted import is_last_sought, is_rate_wanted, leads_on
 from variantgen.methods.solution.book import Book, Known
 from variantgen.methods.steps.step import Body, Fact, Point, Segment, Term, VectorOf
-from variantgen.methods.vectors import constant_distance
-from variantgen.methods.vectors.carrier_points import about_corner, seen
-from variantgen.methods.vectors.coriolis import coriolis_of, say_uniform, say_unneeded
+from variantgen.methods.vectors.contacts import constant_distance
 from variantgen.methods.vectors.given_motion import amount, as_stated
 from variantgen.methods.vectors.point_paths import directed, on_path
 from variantgen.methods.vectors.points import RIGHT, across, enter_sum, modulus, rotation, vector
 from variantgen.methods.vectors.pole import about_pole, enter_rate
+from variantgen.methods.vectors.sliding.carrier_points import about_corner, seen
+from variantgen.methods.vectors.sliding.coriolis import coriolis_of, say_uniform, say_unneeded
 from variantgen.methods.vectors.vector_equation import pointing, solved, write
 
 

@@ -12,7 +12,7 @@ from typing import NamedTuple
 from msgspec import Struct
 from msgspec.structs import replace
 
-from variantgen.figure.glyphs import STRETCHED, Glyph, glyph, has_glyph, kerning
+from variantgen.figure.letters.glyphs import STRETCHED, Glyph, glyph, has_glyph, kerning
 from variantgen.wording.formula import GREEK, Index, letters
 
 _INDEX_DOWN, _POWER_UP, _POWER_UP_CRAMPED, _LEAST_GAP, _AFTER = 0.247, 0.363, 0.289, 0.16, 0.056

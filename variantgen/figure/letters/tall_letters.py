@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from functools import cache
 
-from variantgen.figure.glyphs import STRETCHED, Glyph, glyph, has_glyph
-from variantgen.figure.letter_run import THICKNESS, Bar, Run
+from variantgen.figure.letters.glyphs import STRETCHED, Glyph, glyph, has_glyph
+from variantgen.figure.letters.letter_run import THICKNESS, Bar, Run
 
 AXIS = 0.25
 _NUMERATOR_UP, _DENOMINATOR_DOWN, _FRACTION_GAP, _FRACTION_AROUND = 0.677, 0.686, 0.12, 0.1

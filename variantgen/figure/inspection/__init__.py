@@ -1,0 +1,1 @@
+"""What is wrong with a finished figure: its labels, points and bodies, its arrows."""
