@@ -43,8 +43,8 @@ IDENTITY = {
 }
 SETTINGS = {
     "as it is": "",
-    "no thresholds of the collector": "app.gc = types.SimpleNamespace(set_threshold=lambda *a: 0, freeze=gc.freeze)",
-    "no freezing at the end": "app.atexit = types.SimpleNamespace(register=lambda f: 0)",
+    "no thresholds of the collector": "cli.gc = types.SimpleNamespace(set_threshold=lambda *a: 0, freeze=gc.freeze)",
+    "no freezing at the end": "cli.atexit = types.SimpleNamespace(register=lambda f: 0)",
     "collector on in jobs": "import variantgen.builder.jobs as j; j.gc.disable = lambda: None",
     "freed memory given back": "import variantgen.mechanism.solving.solve as s; s.keep_freed_memory = lambda: None",
 }
@@ -235,8 +235,8 @@ def _settings_table(folder: Path, quick: bool) -> Table:
         found: dict[str, list[float]] = {way: [] for way in ("as it is", *ways)}
         for _ in range(rounds):
             for way, seconds in found.items():
-                code = f"import gc, sys, types; from variantgen.cli import app; {SETTINGS[way] or 'pass'}"
-                ran = [sys.executable, "-c", f"{code}; sys.exit(app.main({command!r}))"]
+                code = f"import gc, sys, types; from variantgen import cli; {SETTINGS[way] or 'pass'}"
+                ran = [sys.executable, "-c", f"{code}; sys.exit(cli.main({command!r}))"]
                 seconds.append(processes.run(ran).cpu)
         for way, seconds in found.items():
             ratios = [mine / plain for mine, plain in zip(seconds, found["as it is"], strict=True)]

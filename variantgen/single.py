@@ -84,6 +84,14 @@ def solution_document(variant: Variant, ask: Sequence[str] = ()) -> dict[str, An
     Points and bodies in SI and radians, answers in their printed units. Raises InputError for numbers beyond all
     bounds.
     """
+    return document_and_answers(variant, ask)[0]
+
+
+def document_and_answers(variant: Variant, ask: Sequence[str] = ()) -> tuple[dict[str, Any], tuple[Answer, ...]]:
+    """The document of :func:`solution_document` and the answers that it holds; none of a variant without a solution.
+
+    Raises InputError as that.
+    """
     asked = asked_quantities(variant, ask)
     motion = solve_variants([variant], motion_order(asked))
     outcome = Outcome(int(motion.outcome[0]))
@@ -94,7 +102,7 @@ def solution_document(variant: Variant, ask: Sequence[str] = ()) -> dict[str, An
         "outcome": outcome.name.lower(),
     }
     if outcome is not Outcome.SOLVED:
-        return document
+        return document, ()
     if not verification(motion, motion_order(asked))[0]:
         raise InputError(
             Problem(
@@ -109,6 +117,7 @@ def solution_document(variant: Variant, ask: Sequence[str] = ()) -> dict[str, An
     relative = {point: _relative(motion, point, body) for point, body in sliding_points(motion.scene).items()}
     if relative:
         document["relative"] = relative
+    found = answers(variant, ask)
     document["answers"] = [
         {
             "quantity": a.quantity.name,
@@ -116,9 +125,9 @@ def solution_document(variant: Variant, ask: Sequence[str] = ()) -> dict[str, An
             "unit": a.unit.name,
             "tolerance": a.tolerance if isfinite(a.value) else None,
         }
-        for a in answers(variant, ask)
+        for a in found
     ]
-    return document
+    return document, found
 
 
 def _parameter(variant: Variant, name: str) -> dict[str, Any]:

@@ -16,6 +16,7 @@ import pytest
 from tests.builder.small_exams import content, exam
 from variantgen.builder import build, unfinished_folder
 from variantgen.builder.folder_lock import locked_folder
+from variantgen.builder.kept import KeptParts
 from variantgen.builder.sealed import digest, write
 from variantgen.builder.unfinished import Unfinished
 from variantgen.cli import main
@@ -126,9 +127,9 @@ def test_parts_that_are_whole_are_not_made_again(
 ) -> None:
     whole, original = finished
     made: list[int] = []
-    real = Unfinished.put_made
+    real = KeptParts.put_made
     monkeypatch.setattr(
-        Unfinished, "put_made", lambda self, number, found: (made.append(number), real(self, number, found))
+        KeptParts, "put_made", lambda self, number, *found: (made.append(number), real(self, number, *found))
     )
     (unfinished_folder(stopped / "out") / "drawn" / "0000000-0").write_bytes(b"")
     assert resumed(stopped, original) == whole

@@ -17,8 +17,9 @@ import pytest
 from msgspec.structs import replace
 
 from tests.builder.small_exams import TEXT, content, exam, exam_file
-from variantgen.builder import WorkerLostError, build, scheduled_workers
+from variantgen.builder import WorkerLostError, build, kept, scheduled_workers
 from variantgen.builder.build_spec import OtherVersionError
+from variantgen.builder.sealed import write
 from variantgen.builder.workers import PoolWorkers, local_workers
 from variantgen.cli import main
 from variantgen.errors import InputError
@@ -53,6 +54,24 @@ def test_any_executor_makes_the_same_bytes(kind: str, reference: dict[str, bytes
     with executor:
         build(exam(tmp_path), numbered(STUDENTS), tmp_path / "out", executor=executor)
     assert content(tmp_path / "out") == reference
+
+
+@pytest.mark.parametrize("foreign", [False, True])
+def test_who_shares_the_disk_writes_there(
+    foreign: bool, reference: dict[str, bytes], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    here: list[int] = []
+    real = write
+
+    def noted(folder: Path, name: str, content: bytes, key: bytes | None = None) -> None:
+        here.extend([os.getpid()] if name.startswith(("made/", "drawn/")) else ())
+        real(folder, name, content, key)
+
+    monkeypatch.setattr(kept, "write", noted)
+    executor = ProcessPoolExecutor(2, multiprocessing.get_context("spawn")) if foreign else None
+    build(exam(tmp_path), numbered(STUDENTS), tmp_path / "out", jobs=2, executor=executor)
+    assert content(tmp_path / "out") == reference
+    assert bool(here) == foreign, "only what comes from workers with another disk is written by this process"
 
 
 def test_processes_of_a_program_that_has_used_the_engine(reference: dict[str, bytes], tmp_path: Path) -> None:

@@ -13,8 +13,10 @@ from tests.methods.damaged import damage_formulas
 from variantgen.algebra.expression import Constant, Expression
 from variantgen.builder import build
 from variantgen.cli import main
+from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.exam.roster import numbered
 from variantgen.exam.sheets import solve_all
+from variantgen.exam.work.fairness import FairDraws
 from variantgen.families.asking import read_ask
 from variantgen.families.quantities import parse_quantity
 from variantgen.families.reading.load import load_family
@@ -74,6 +76,39 @@ def test_a_mirrored_scene_turns_the_other_way(drawn: list[Variant]) -> None:
     confirm_answers(pair, asked, motion, range(2))
     with pytest.raises(UnconfirmedError):
         confirm_answers(pair, asked, replace(motion, omega={**motion.omega, "BD": np.abs(motion.omega["BD"])}), [0, 1])
+
+
+@pytest.mark.parametrize("factor", [1.0, 1 + 1e-6, -1.0])
+def test_answers_worked_out_before_are_compared_with_the_solver(
+    drawn: list[Variant], monkeypatch: pytest.MonkeyPatch, factor: float
+) -> None:
+    """Right ones need no steps any more, wrong ones confirm nothing: then it is the steps that count."""
+    motion = solved(drawn)
+    # No other test asks both, so that the form remembers no steps for them.
+    asked = [parse_quantity(name, drawn[0].form.sample) for name in ("omega_BD", "epsilon_BD")]
+    worked_out = np.array([motion.omega["BD"], motion.epsilon["BD"]])
+    worked_out[0, 2] *= factor
+    damage_formulas(monkeypatch, "omega", doubled)
+    if factor == 1.0:
+        confirm_answers(drawn, asked, motion, range(4), worked_out)
+        return
+    with pytest.raises(UnconfirmedError) as caught:
+        confirm_answers(drawn, asked, motion, range(4), worked_out)
+    assert caught.value.variant is drawn[2]
+
+
+def test_of_fair_draws_the_answers_are_kept() -> None:
+    """Those of the solver, signs included; what is asked otherwise has none."""
+    family, tolerances = load_family("sleeve_on_crank"), AnswerTolerances()
+    variants = FamilySampler(family, None, screening=FairDraws(0.05, tolerances)).after(
+        [("kept", 1), ("kept", 2)], [0, 0]
+    )
+    asked, motion = read_ask(variants[0].form), solved(variants)
+    right = [q.own_unit(family.length_unit).from_si(q.value(motion)) for q in asked]
+    assert tolerances.worked_out(variants, asked) == pytest.approx(np.array(right), rel=1e-9, abs=1e-9)
+    assert np.isnan(tolerances.worked_out(variants, asked[:1])).all()
+    tolerances.forget()
+    assert np.isnan(tolerances.worked_out(variants, asked)).all()
 
 
 def exam(folder: Path, depth: str) -> Path:

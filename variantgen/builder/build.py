@@ -6,6 +6,7 @@ import hashlib
 import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,7 +18,7 @@ from variantgen.builder.draw_stage import draw_all
 from variantgen.builder.jobs import RenderJob
 from variantgen.builder.stored import StoredSheets
 from variantgen.builder.unfinished import Unfinished, unfinished
-from variantgen.builder.workers import PoolWorkers, Workers, local_workers
+from variantgen.builder.workers import PoolWorkers, Workers, in_order_by, local_workers, run_and_keep
 from variantgen.errors import InputError
 from variantgen.exam.allocation import HandedOutSheet, ProblemSampler
 from variantgen.exam.exam import Exam
@@ -27,6 +28,7 @@ from variantgen.exam.work.fairness import shortages, uneven_pools
 from variantgen.outputs.files.folder import check_free, terminable, whole_folder, writing
 from variantgen.outputs.files.records import RECORDS, write_records
 from variantgen.outputs.formats import STUDENTS_PER_PART, WholeExam, format_of, known_files, read_exam
+from variantgen.outputs.run import Run
 from variantgen.outputs.typst.typesetter import Typesetter, typesetter
 
 if TYPE_CHECKING:
@@ -81,7 +83,8 @@ def build(
     exam = read_exam(exam) if isinstance(exam, Path) else exam
     exam = exam if seed is None else replace(exam, seed=seed)
     students = in_order(students, exam.sort, exam.spoken.words("language")["alphabet"])
-    check_free(out, force, known_files)
+    known = partial(known_files, exam.formats)
+    check_free(out, force, known)
     for name in exam.formats:
         format_of(name).check(exam, students)
     with terminable(), typesetter() as engine:
@@ -97,9 +100,10 @@ def build(
                     raise error.located(str(exam.path)) from None
                 sheets = StoredSheets(exam, students, parts, [sheet.code for sheet in standing])
                 kept = _make_all(exam, sheets, spec, parts, workers, progress)
-            notes: list[str] = []
-            with whole_folder(out, force, known_files, notes) as folder:
-                built = _put_together(exam, sheets, spec, parts, folder, engine)
+                notes: list[str] = []
+                with whole_folder(out, force, known, notes) as folder:
+                    run = partial(in_order_by, workers, spec)
+                    built = _put_together(exam, sheets, spec, parts, folder, engine, run)
             return replace(built, folder=out, kept=kept, notes=(*built.notes, *notes))
 
 
@@ -151,42 +155,39 @@ def _make_all(
     """Make all pieces that are not there; how many jobs were done before."""
     count = len(sheets)
     listed = list(enumerate(_make_jobs(exam, count)))
-    missing = [number for number, _ in listed if not parts.has_made(number)]
+    missing = [number for number, _ in listed if not parts.kept.has_made(number)]
     last = -(-count // STUDENTS_PER_PART) - 1
     sizes = {i: min(STUDENTS_PER_PART, count - i * STUDENTS_PER_PART) for i in range(last + 1)}  # overviews have none
     done = count - sum(sizes.get(number, 0) for number in missing)
     progress("typesetting", done, count)
-    todo = (
-        (
-            number,
-            RenderJob(
-                tuple(sheets.packed(part) for part in chosen), sheets.beginning(chosen), chosen.start == 0, summary
-            ),
-        )
-        for number, (chosen, summary) in (listed[number] for number in missing)
-    )
-    for number, made in workers.run(spec, todo):
-        parts.put_made(number, made)
+    there = workers.share_disk
+
+    def todo() -> Iterator[tuple[int, RenderJob]]:
+        for number, (chosen, summary) in (listed[number] for number in missing):
+            packed = tuple(sheets.packed(part, where_kept=there) for part in chosen)
+            yield number, RenderJob(packed, sheets.beginning(chosen), chosen.start == 0, summary)
+
+    for number, _ in run_and_keep(workers, spec, parts.kept, todo()):
         done += sizes.get(number, 0)
         progress("typesetting", done, count)
     return len(listed) - len(missing)
 
 
 def _put_together(
-    exam: Exam, sheets: StoredSheets, spec: BuildSpec, parts: Unfinished, folder: Path, engine: Typesetter
+    exam: Exam, sheets: StoredSheets, spec: BuildSpec, parts: Unfinished, folder: Path, engine: Typesetter, run: Run
 ) -> Built:
     """The output folder from all pieces."""
     pieces: dict[str, dict[str, list[Path]]] = {name: {} for name in (RECORDS, *exam.formats)}
     unexplained: set[str] = set()
     for number, _ in enumerate(_make_jobs(exam, len(sheets))):
-        made = parts.made(number)
+        made = parts.kept.made(number)
         for name, target, path in made.pieces:
             pieces[name].setdefault(target, []).append(path)
         unexplained.update(made.unexplained)
     notes: list[str] = []
     pages: dict[str, dict[int, int]] = {}
     for name in exam.formats:
-        format_of(name).finish(WholeExam(exam, sheets, folder, engine, pieces[name], notes, pages))
+        format_of(name).finish(WholeExam(exam, sheets, folder, engine, pieces[name], notes, pages, run))
     redrawn, alike, cut = parts.drawn_marks()
     bands = ProblemSampler(exam).bands()
     recorded = [{"problem": n, "family": family, "form": form, **b.record()} for (n, family, form), b in bands.items()]

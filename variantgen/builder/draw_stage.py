@@ -9,9 +9,10 @@ import numpy as np
 from msgspec.structs import replace
 
 from variantgen.builder.build_spec import BuildSpec
-from variantgen.builder.jobs import STUDENTS_PER_DRAW, CompareJob, DrawJob
+from variantgen.builder.jobs import CompareJob, DrawJob
+from variantgen.builder.kept import STUDENTS_PER_DRAW
 from variantgen.builder.unfinished import Unfinished
-from variantgen.builder.workers import Workers
+from variantgen.builder.workers import Workers, run_and_keep
 from variantgen.exam.allocation import (
     DrawRequest,
     HandedOutSheet,
@@ -97,7 +98,7 @@ def _first(
     found: list[Traits] = []
     cut = 0
     order: list[int] = []
-    todo: list[tuple[tuple[int, int, list[int]], DrawJob]] = []
+    todo: dict[tuple[int, int], list[int]] = {}
     for start, problem, places in requests.batches():
         if parts.has_drawn(start, problem):
             kept, changed = _kept(drawer, parts, start, problem, [requests[i] for i in places])
@@ -105,13 +106,13 @@ def _first(
             cut += changed
             order += places
         else:
-            todo.append(((start, problem, places), DrawJob(tuple(requests[i] for i in places))))
+            todo[start, problem] = places
     progress("drawing variants", len(order) // requests.problems, len(requests.students))
-    for (start, problem, places), drawn in workers.run(spec, todo):
-        parts.put_drawn(start, problem, drawn.parts)
-        found.append(drawn.traits)
-        cut += drawn.cut
-        order += places
+    jobs = ((place, DrawJob(tuple(requests[i] for i in places))) for place, places in todo.items())
+    for place, compared in run_and_keep(workers, spec, parts.kept, jobs):
+        found.append(compared.traits)
+        cut += compared.cut
+        order += todo[place]
         progress("drawing variants", len(order) // requests.problems, len(requests.students))
     return Traits.joined(found).take(np.argsort(np.array(order))), cut
 

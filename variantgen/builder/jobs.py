@@ -10,6 +10,7 @@ from typing import Any, Protocol
 from msgspec import Struct
 
 from variantgen.builder.build_spec import BuildSpec, WorkerContext, worker_context
+from variantgen.builder.kept import KeptParts, KeptProblem
 from variantgen.exam.allocation import DrawRequest
 from variantgen.exam.content import Content
 from variantgen.exam.exam import Exam
@@ -21,10 +22,6 @@ from variantgen.outputs.formats import STUDENTS_PER_PART, Chunk, Fragment, forma
 from variantgen.variants.attempts import VerificationError
 from variantgen.variants.similarity import Traits
 
-# Variants of one problem that are drawn together share the price of a batch. Always the same number, so that numbers do
-# not depend, in their last bit, on how the work was split.
-STUDENTS_PER_DRAW = 12 * STUDENTS_PER_PART
-
 
 class Job(Protocol):
     """Some work of a build."""
@@ -34,7 +31,7 @@ class Job(Protocol):
 
 
 def perform(spec: BuildSpec, job: Job) -> Any:
-    """Do a job in this process; executors are given this function.
+    """Do a job in this process.
 
     Raises VerificationError, with the seed, where two computations of a variant disagree.
     """
@@ -45,14 +42,43 @@ def perform(spec: BuildSpec, job: Job) -> Any:
             raise VerificationError(f"{error} (seed {setting.exam.seed})") from error
 
 
+class Made(Protocol):
+    """What a job has made."""
+
+    def keep(self, kept: KeptParts, place: Any) -> Any:
+        """Put it to the finished parts; what the main process has to know of it."""
+
+
+class KeepJob(Struct, frozen=True):
+    """A job whose worker keeps what it has made, at a place among the finished parts, and hands back the rest."""
+
+    job: Job
+    kept: KeptParts
+    place: Any
+
+    def run(self, setting: WorkerContext) -> Any:
+        """Do it and keep it."""
+        made: Made = self.job.run(setting)
+        return made.keep(self.kept, self.place)
+
+
+class Compared(Struct, frozen=True):
+    """What is compared of some variants, and how many were drawn again for the exam's ceiling of tolerances."""
+
+    traits: Traits
+    cut: int
+
+
 class DrawnProblems(Struct, frozen=True):
-    """Packed problems by parts of students, what is compared of their variants, and how many were drawn again for the
-    exam's ceiling of tolerances.
-    """
+    """Packed problems by parts of students, and what is compared of their variants."""
 
     parts: tuple[bytes, ...]
-    traits: Traits
-    cut: int = 0
+    compared: Compared
+
+    def keep(self, kept: KeptParts, place: tuple[int, int]) -> Compared:
+        """Keep the problems as the first draws of the students from a place on, of a problem."""
+        kept.put_drawn(*place, self.parts)
+        return self.compared
 
 
 class DrawJob(Struct, frozen=True):
@@ -67,7 +93,8 @@ class DrawJob(Struct, frozen=True):
         parts = [items[i : i + STUDENTS_PER_PART] for i in range(0, len(items), STUDENTS_PER_PART)]
         packed = tuple(pack(setting.exam, part) for part in parts)
         drawer = setting.drawer
-        return DrawnProblems(packed, drawer.traits(self.requests, variants), drawer.cut(self.requests, variants))
+        traits, cut = drawer.traits(self.requests, variants), drawer.cut(self.requests, variants)
+        return DrawnProblems(packed, Compared(traits, cut))
 
 
 class CompareJob(Struct, frozen=True):
@@ -83,14 +110,16 @@ class CompareJob(Struct, frozen=True):
 
 
 class PackedChunk(Struct, frozen=True):
-    """Some students with the codes of their sheets, and their packed problems: each problem for all of them."""
+    """Some students with the codes of their sheets, and their packed problems: each problem for all of them, or where
+    it is kept.
+    """
 
     students: tuple[tuple[Student, str], ...]
-    problems: tuple[bytes, ...]
+    problems: tuple[bytes | KeptProblem, ...]
 
     def sheets(self, exam: Exam) -> tuple[Sheet, ...]:
         """Their sheets."""
-        problems = [unpack(exam, packed) for packed in self.problems]
+        problems = [unpack(exam, one.read() if isinstance(one, KeptProblem) else one) for one in self.problems]
         return tuple(
             Sheet(student, code, items)
             for (student, code), items in zip(self.students, zip(*problems, strict=True), strict=True)
@@ -102,6 +131,10 @@ class RenderedChunk(Struct, frozen=True):
 
     pieces: tuple[tuple[str, Fragment], ...]
     unexplained: tuple[str, ...] = ()
+
+    def keep(self, kept: KeptParts, place: int) -> None:
+        """Keep the pieces."""
+        kept.put_made(place, self.pieces, self.unexplained)
 
 
 class RenderJob(Struct, frozen=True):
@@ -137,6 +170,17 @@ def _records(part: Chunk) -> Iterator[Fragment]:
     """What every build has, whatever its formats are."""
     yield Fragment("key.csv", key_rows(part.sheets).encode())
     yield Fragment("manifest.json", manifest_lines(part.exam, part.sheets).encode())
+
+
+class CallJob(Struct, frozen=True):
+    """A function of a module, applied to files that are on the disk of all workers."""
+
+    function: Callable[[Any], Any]
+    given: Any
+
+    def run(self, setting: WorkerContext) -> Any:
+        """Call it."""
+        return self.function(self.given)
 
 
 @contextmanager

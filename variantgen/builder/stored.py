@@ -48,12 +48,13 @@ class StoredSheets(Sequence[Sheet]):
         first, behind = (bisect_left(self._begun, (end * STUDENTS_PER_PART, "")) for end in (parts.start, parts.stop))
         return frozenset(group for _, group in self._begun[first:behind])
 
-    def packed(self, part: int) -> PackedChunk:
-        """The students of a part and their packed problems."""
+    def packed(self, part: int, where_kept: bool = False) -> PackedChunk:
+        """The students of a part and their packed problems, or where these are kept."""
         chosen = slice(part * STUDENTS_PER_PART, (part + 1) * STUDENTS_PER_PART)
+        found = self._parts.kept_problem if where_kept else self._parts.problem
         return PackedChunk(
             tuple(zip(self._students[chosen], self._codes[chosen], strict=True)),
-            tuple(self._parts.problem(part, problem) for problem in range(len(self._exam.tasks))),
+            tuple(found(part, problem) for problem in range(len(self._exam.tasks))),
         )
 
 

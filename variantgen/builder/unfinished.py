@@ -7,49 +7,36 @@
         settled.json        who had to draw again, and which problems of parts are changed
         made/0000012*       pieces of the outputs; whole as soon as 0000012.json, their list, is there
 
-Every file has its name only when it is whole. All but the pieces begin with a line that is a digest of
-the plan, the name of the file and the rest of it; the list of pieces has their digests. What is damaged, or of another
-plan, is as if it were not there.
+Problems and pieces are written by the process that has made them, if it has this disk. Every file has its name only
+when it is whole. All but the pieces begin with a line that is a digest of the plan, the name of the file and the rest
+of it; the list of pieces has their digests. What is damaged, or of another plan, is as if it were not there.
 """
 
 from __future__ import annotations
 
 import hashlib
 import json
-import re
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
-
-from msgspec import Struct
 
 from variantgen.builder.folder_lock import (
     CHANGED,
     DRAWN,
     DRAWN_MARKS,
     FOLDERS,
-    MADE,
     NEW,
-    PIECE,
     PLAN,
     empty,
     locked_folder,
 )
-from variantgen.builder.jobs import STUDENTS_PER_DRAW, RenderedChunk
-from variantgen.builder.sealed import DamagedError, digest, digest_of, read, write
+from variantgen.builder.kept import KeptParts, KeptProblem, among_drawn, checked
+from variantgen.builder.sealed import DamagedError, read, write
 from variantgen.errors import InputError, Problem, VariantgenError
-from variantgen.outputs.formats import STUDENTS_PER_PART, is_target
 
 _NO_KEY = b""  # of the plan itself
-
-
-class StoredChunk(Struct, frozen=True):
-    """The pieces of a part: (format, target, file), and the families in it without worked solutions."""
-
-    pieces: tuple[tuple[str, str, Path], ...]
-    unexplained: tuple[str, ...]
 
 
 def unfinished_folder(target: Path) -> Path:
@@ -88,14 +75,18 @@ def unfinished(target: Path, plan: Mapping[str, str], resume: bool, outputs: Col
 
 
 class Unfinished:
-    """The folder of the parts of a plan; ``outputs`` are the names of its formats, and of the records."""
+    """The folder of the parts of a plan; ``outputs`` are the names of its formats, and of the records.
+
+    ``kept`` is what other processes may read and write of it.
+    """
 
     def __init__(self, folder: Path, plan: Mapping[str, str], outputs: Collection[str]) -> None:
-        self.folder, self._outputs = folder, outputs
+        self.folder = folder
         self._plan = dict(plan)
         self._key = hashlib.blake2b(json.dumps(self._plan, sort_keys=True).encode(), digest_size=32).digest()
+        self.kept = KeptParts(folder, self._key, tuple(outputs))
         self._changed: set[tuple[int, int]] = set()
-        self._framed = lru_cache(maxsize=8)(self._read_framed)
+        self._framed = lru_cache(maxsize=8)(self.kept.drawn)
 
     def check_plan(self, folder: Path) -> None:
         """Raise InputError if the parts that are there are those of another plan.
@@ -103,7 +94,7 @@ class Unfinished:
         Where the plan is damaged, each part still tells whether it is of this one.
         """
         try:
-            before = _checked(read(self.folder, PLAN, _NO_KEY), lambda found: True, PLAN)
+            before = checked(read(self.folder, PLAN, _NO_KEY), lambda found: True, PLAN)
         except DamagedError:
             return
         other = [name for name, value in self._plan.items() if before.get(name) != value]
@@ -158,7 +149,7 @@ class Unfinished:
         return tuple(found["redrawn"]), found["alike"], found["cut"]
 
     def _read_marks(self) -> dict[str, Any]:
-        return _checked(
+        return checked(
             read(self.folder, DRAWN_MARKS, self._key),
             lambda found: (
                 all(isinstance(one, str) for one in found["redrawn"])
@@ -176,92 +167,22 @@ class Unfinished:
             return False
         return True
 
-    def put_drawn(self, start: int, problem: int, parts: Sequence[bytes]) -> None:
-        """Keep a problem as it was drawn first, by parts of the students."""
-        framed = b"".join(len(part).to_bytes(4, "big") + part for part in parts)
-        write(self.folder, _drawn(start, problem), framed, self._key)
-
     def put_changed(self, part: int, problem: int, content: bytes) -> None:
         """Keep a problem of a part in which somebody drew again."""
-        write(self.folder, _changed(part, problem), content, self._key)
+        self.kept.put_changed(part, problem, content)
         self._changed.add((part, problem))
 
     def problem(self, part: int, problem: int) -> bytes:
         """A packed problem of a part as it is now."""
         if (part, problem) in self._changed:
-            return read(self.folder, _changed(part, problem), self._key)
+            return self.kept.changed(part, problem)
         return self.first(part, problem)
+
+    def kept_problem(self, part: int, problem: int) -> KeptProblem:
+        """Where a packed problem of a part is."""
+        return KeptProblem(self.kept, part, problem, (part, problem) in self._changed)
 
     def first(self, part: int, problem: int) -> bytes:
         """A packed problem of a part as it was drawn first."""
-        inside = part * STUDENTS_PER_PART % STUDENTS_PER_DRAW
-        return self._framed(part * STUDENTS_PER_PART - inside, problem)[inside // STUDENTS_PER_PART]
-
-    def _read_framed(self, start: int, problem: int) -> list[bytes]:
-        """A problem of the students from ``start`` on by parts."""
-        content = read(self.folder, _drawn(start, problem), self._key)
-        parts, place = [], 0
-        while place < len(content):
-            end = place + 4 + int.from_bytes(content[place : place + 4], "big")
-            parts.append(content[place + 4 : end])
-            place = end
-        return parts
-
-    def has_made(self, number: int) -> bool:
-        """Whether the pieces of a part are there, as they were written."""
-        try:
-            files = {name: digest for *_, name, digest in self._listed(number)["pieces"]}
-            return all(digest_of(self.folder / MADE / name) == digest for name, digest in files.items())
-        except (OSError, DamagedError):
-            return False
-
-    def put_made(self, number: int, made: RenderedChunk) -> None:
-        """Keep the pieces of a part."""
-        listed = []
-        for k, (output, piece) in enumerate(made.pieces):
-            name = f"{number:07}-{k:03}{piece.ending}"
-            write(self.folder, f"{MADE}/{name}", piece.content)
-            listed.append([output, piece.target, name, digest(piece.content)])
-        record = {"pieces": listed, "unexplained": made.unexplained}
-        write(self.folder, f"{MADE}/{number:07}.json", json.dumps(record).encode(), self._key)
-
-    def made(self, number: int) -> StoredChunk:
-        """The pieces of a part."""
-        listed = self._listed(number)
-        pieces = tuple((output, target, self.folder / MADE / name) for output, target, name, _ in listed["pieces"])
-        return StoredChunk(pieces, tuple(listed["unexplained"]))
-
-    def _listed(self, number: int) -> dict[str, Any]:
-        """The list of the pieces of a part: with names as they are made here, and targets of the formats alone."""
-        name = f"{MADE}/{number:07}.json"
-        own = re.compile(rf"(?={number:07}-){PIECE}")
-        return _checked(
-            read(self.folder, name, self._key),
-            lambda found: (
-                all(
-                    own.fullmatch(file) and output in self._outputs and is_target(output, target)
-                    for output, target, file, _ in found["pieces"]
-                )
-                and all(isinstance(family, str) for family in found["unexplained"])
-            ),
-            name,
-        )
-
-
-def _checked(content: bytes, is_right: Callable[[dict[str, Any]], bool], name: str) -> dict[str, Any]:
-    """What was read, if it is a table as it is written there. Raises DamagedError."""
-    try:
-        found = json.loads(content)
-        if isinstance(found, dict) and is_right(found):
-            return found
-    except (LookupError, TypeError, ValueError, AttributeError, RecursionError):
-        pass
-    raise DamagedError(f"a part of the build is none of its own ({name}); --resume makes it again")
-
-
-def _drawn(start: int, problem: int) -> str:
-    return f"{DRAWN}/{start:07}-{problem}"
-
-
-def _changed(part: int, problem: int) -> str:
-    return f"{CHANGED}/{part:07}-{problem}"
+        start, inside = among_drawn(part)
+        return self._framed(start, problem)[inside]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 import os
+import pickle
 import signal
 import sys
 import threading
@@ -15,7 +16,8 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 from msgspec import Struct
 
 from variantgen.builder.build_spec import BuildSpec
-from variantgen.builder.jobs import Job, perform
+from variantgen.builder.jobs import CallJob, Job, KeepJob, perform
+from variantgen.builder.kept import KeptParts
 from variantgen.errors import InputError, Problem, VariantgenError, missing_package
 
 if TYPE_CHECKING:
@@ -35,7 +37,11 @@ class WorkerLostError(VariantgenError):
 
 
 class Workers(Protocol):
-    """Who does jobs."""
+    """Who does jobs; ``share_disk`` says whether they surely see the files that this process does."""
+
+    @property
+    def share_disk(self) -> bool:
+        """Whether they do."""
 
     def run(self, spec: BuildSpec, jobs: Iterable[tuple[_Key, Job]]) -> Iterator[tuple[_Key, Any]]:
         """Do jobs; results come with the keys of the jobs, in the order in which they are ready."""
@@ -43,6 +49,8 @@ class Workers(Protocol):
 
 class InlineWorkers:
     """Does every job at once, in this process."""
+
+    share_disk = True
 
     def run(self, spec: BuildSpec, jobs: Iterable[tuple[_Key, Job]]) -> Iterator[tuple[_Key, Any]]:
         """Do jobs one after another."""
@@ -59,6 +67,7 @@ class PoolWorkers(Struct, frozen=True):
     executor: Executor
     ahead: int
     there: Callable[[], bool] = lambda: True
+    share_disk: bool = False
 
     def run(self, spec: BuildSpec, jobs: Iterable[tuple[_Key, Job]]) -> Iterator[tuple[_Key, Any]]:
         """Do jobs; results come with the keys of the jobs, in the order in which they are ready.
@@ -68,7 +77,8 @@ class PoolWorkers(Struct, frozen=True):
         pending: dict[Future[Any], _Key] = {}
         try:
             for key, job in jobs:
-                pending[self.executor.submit(perform, spec, job)] = key
+                # Pickled here: process pools ask a table in Python about every object that they pickle.
+                pending[self.executor.submit(_perform, pickle.dumps((spec, job)))] = key
                 while len(pending) >= self.ahead:
                     yield from self._ready(pending)
             while pending:
@@ -97,6 +107,44 @@ class PoolWorkers(Struct, frozen=True):
             yield key, future.result()
 
 
+def run_and_keep(
+    workers: Workers, spec: BuildSpec, kept: KeptParts, jobs: Iterable[tuple[_Key, Job]]
+) -> Iterator[tuple[_Key, Any]]:
+    """Do jobs, and keep what they have made at the places that are their keys; what has to be known besides.
+
+    Workers on this disk write there themselves: a part is large, and this process has all of them on its hands.
+    """
+    if workers.share_disk:
+        yield from workers.run(spec, ((place, KeepJob(job, kept, place)) for place, job in jobs))
+    else:
+        for place, made in workers.run(spec, jobs):
+            yield place, made.keep(kept, place)
+
+
+def in_order_by(
+    workers: Workers, spec: BuildSpec, function: Callable[[Any], Any], given: Iterable[Any]
+) -> Iterator[Any]:
+    """What a function of a module returns for things that are given, in their order: the :class:`Run` of workers.
+
+    It works on files, so this process does it where workers may have another disk.
+    """
+    if not workers.share_disk:
+        yield from map(function, given)
+        return
+    early: dict[int, Any] = {}
+    following = 0
+    for place, found in workers.run(spec, ((place, CallJob(function, one)) for place, one in enumerate(given))):
+        early[place] = found
+        while following in early:
+            yield early.pop(following)
+            following += 1
+
+
+def _perform(pickled: bytes) -> Any:
+    """Do a job of a build; executors are given this function."""
+    return perform(*pickle.loads(pickled))  # noqa: S301  (from the process that has sent the job)
+
+
 def _is_loss(error: Exception) -> bool:
     """Whether an error tells of the executor, not of a job."""
     from concurrent.futures import BrokenExecutor, CancelledError
@@ -117,7 +165,7 @@ def local_workers(processes: int) -> Iterator[Workers]:
     others = set(multiprocessing.active_children())
     with ProcessPoolExecutor(processes, _context(), initializer=_leave_with_parent) as pool:
         try:
-            yield PoolWorkers(pool, 2 * processes + 2)
+            yield PoolWorkers(pool, 2 * processes + 2, share_disk=True)
         except BaseException:
             # Nobody waits for what is being done.
             for worker in set(multiprocessing.active_children()) - others:

@@ -8,8 +8,6 @@ A command is a module of :mod:`variantgen.cli.commands` with the texts ``HELP`` 
 from __future__ import annotations
 
 import argparse
-import atexit
-import gc
 import importlib
 import os
 import pkgutil
@@ -21,9 +19,6 @@ from variantgen.cli.messages import tell
 from variantgen.errors import VariantgenError
 from variantgen.version import VERSION
 
-# A search for cycles of references after so many new objects. After every 700, as Python has it, most of what a short
-# command reads and imports would be searched several times, which took a twentieth of its time, and none is garbage.
-_COLLECTION = 200_000, 20, 100
 _EPILOG = """\
 examples:
   variantgen list
@@ -36,10 +31,6 @@ examples:
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run a command; returns the exit code."""
-    gc.set_threshold(*_COLLECTION)
-    atexit.register(gc.freeze)  # nor is a last search at the end of the process of any use
-    # numpy starts threads for large matrices as it is loaded, and there are none here: a quarter of its loading.
-    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     words = sys.argv[1:] if argv is None else list(argv)
     arguments = _parser(words).parse_args(words)
     try:

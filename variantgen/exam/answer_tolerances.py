@@ -56,6 +56,7 @@ class AnswerTolerances(Struct):
     tolerance: Tolerance = _USUAL
     _errors: dict[tuple[object, ...], Array] = field(default_factory=dict)
     _marks: dict[tuple[object, ...], Marks] = field(default_factory=dict)
+    _answers: dict[tuple[object, ...], Sequence[float]] = field(default_factory=dict)
 
     def __call__(
         self, form: Form, parameters: Values, on_paper: Frame, asked: Sequence[Quantity], motion: Motion
@@ -90,6 +91,15 @@ class AnswerTolerances(Struct):
         if wrong.names:
             self._marks.update(zip(keys, wrong.within(_at_least(errors, self.tolerance.floor)), strict=True))
 
+    def keep_answers(self, variant: Variant, asked: Sequence[Quantity], answers: Sequence[float]) -> None:
+        """Keep to which answers (printed units) the steps of a solution lead, found when the work was counted."""
+        self._answers[_keys([variant], asked)[0]] = answers
+
+    def worked_out(self, variants: Sequence[Variant], asked: Sequence[Quantity]) -> Array:
+        """The answers to which the steps of solutions lead, shape (answers, N); no number where that is not known."""
+        unknown = [np.nan] * len(asked)
+        return np.array([self._answers.get(key, unknown) for key in _keys(variants, asked)]).T
+
     def tolerances(
         self, variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, places: Sequence[int]
     ) -> Array:
@@ -116,6 +126,7 @@ class AnswerTolerances(Struct):
     def forget(self) -> None:
         """Forget what was found for variants, once their answers are known; what is known of forms is kept."""
         self._errors.clear()
+        self._answers.clear()
         self._marks.clear()
 
 

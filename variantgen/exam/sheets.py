@@ -225,7 +225,7 @@ def _answers(
     for (_, quantities), members in batches_of(asked, solved).items():
         motion, places = solved[members[0]][0], [solved[i][1] for i in members]
         own = [variants[i] for i in members]
-        confirm_answers(own, quantities, motion, places)
+        confirm_answers(own, quantities, motion, places, answer_tolerances.worked_out(own, quantities))
         # Before the tolerances, which begin with the same values: several may be of one turn of the crank, found once.
         numbers = [quantity.value(motion)[places] for quantity in quantities]
         needed = answer_tolerances.tolerances(own, quantities, motion, places)

@@ -26,7 +26,7 @@ from variantgen.methods.steps.printed_digits import choose_printed_digits, follo
 from variantgen.methods.steps.step import Item, ProgramListing, Solution, Step
 from variantgen.methods.vectors.point_vectors import point_vectors
 
-_found_instant = on_demand("by_groups.found_instant", "instant_steps")
+_instant_steps = on_demand("by_groups.found_instant", "instant_steps")
 _LINK_BY_LINK = "three_rates"  # the method for a whole problem whose steps are those of its links
 
 
@@ -78,6 +78,12 @@ def named_vectors(task: Task, methods: Sequence[str] = ()) -> tuple[PointVectors
 def _vectors(book: Book, steps: Sequence[Step]) -> tuple[PointVectors, ...]:
     """What figures draw of each order that is asked."""
     return tuple(point_vectors(book, steps, order) for order in range(1, book.task.order + 1))
+
+
+def _found_instant(book: Book) -> list[Step]:
+    """The step that finds the instant, where it is not given: what it needs is loaded for few forms."""
+    found: list[Step] = _instant_steps(book) if book.task.form.found_instant is not None else []
+    return found
 
 
 def _acceleration_centres(book: Book) -> tuple[Quantity, ...]:

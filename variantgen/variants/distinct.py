@@ -22,6 +22,7 @@ _CROWD = 12.0
 _FEW = 10_000  # places that are compared along a line; of more, a tree finds the near ones sooner
 _COUNTED = 10_000  # places whose near ones are counted together
 _LIMIT = 1.0 + 1e-4  # of single precision
+_NO_PAIRS = np.empty((0, 2), dtype=np.intp)
 
 # The next draw of some owners after the attempts that they have used: (owners, attempts) -> traits.
 More = Callable[[Sequence[int], Sequence[int]], Traits]
@@ -76,7 +77,7 @@ class _Pool:
         self._priority = priority
         self._taken: dict[int, int] = {}
         self._alike: set[int] = set()  # owners who gave up looking
-        self._crowds = _crowds(first)
+        self._crowds, self._near = _compared(first)
         self.contested = 0  # distinct variants that several want, or that somebody drew in vain
 
     def add(self, owners: Sequence[int], drawn: Traits) -> None:
@@ -85,6 +86,7 @@ class _Pool:
             self._more.setdefault(owner, []).append(place)
         self._owner += owners
         self.traits = Traits.joined([self.traits, drawn])
+        self._near |= _near(self.traits, set(drawn.room.tolist()) - self._crowds)
 
     def used(self, owner: int) -> int:
         """The attempts that an owner has used."""
@@ -104,7 +106,7 @@ class _Pool:
     def choose(self) -> list[int]:
         """Choose for everyone; the owners for whom no draw is left, in order."""
         same = dict(_equal(self.traits.identity))
-        near = _near(self.traits, self._crowds)
+        near = self._near
         self._alike = set()
         # Whoever has one draw that nobody else wants takes it: nothing is to be decided.
         contested = {self._owner[i] for i in (*same, *near)} | self._more.keys()
@@ -148,41 +150,64 @@ def _runs(keys: NDArray[np.uint64]) -> Iterator[NDArray[np.intp]]:
         yield order[start : start + count]
 
 
-def _crowds(first: Traits) -> set[int]:
-    """The rooms in which the first draws lie too close together to be kept apart."""
-    return {int(first.room[members[0]]) for members in _runs(first.room) if _is_crowd(first.place[members])}
-
-
-def _near(found: Traits, crowds: set[int]) -> dict[int, list[int]]:
-    """The near ones of each draw that has any, but for the crowded rooms."""
+def _compared(first: Traits) -> tuple[set[int], dict[int, list[int]]]:
+    """The crowds, which are rooms in which the first draws lie too close together to be kept apart, and the near ones
+    of each draw that has any in the other rooms.
+    """
+    crowds: set[int] = set()
     near: dict[int, list[int]] = {}
-    for members in _runs(found.room):
-        if int(found.room[members[0]]) not in crowds:
-            for a, b in members[_close_pairs(found.place[members])].tolist():
-                near.setdefault(a, []).append(b)
-                near.setdefault(b, []).append(a)
+    for members in _runs(first.room):
+        pairs = _pairs_unless_crowd(first.place[members])
+        if pairs is None:
+            crowds.add(int(first.room[members[0]]))
+        else:
+            _add_pairs(near, members[pairs])
+    return crowds, near
+
+
+def _near(found: Traits, rooms: set[int]) -> dict[int, list[int]]:
+    """The near ones of each draw in some rooms that has any."""
+    inside = np.isin(found.room, np.array(list(rooms), dtype=np.uint64)).nonzero()[0]
+    near: dict[int, list[int]] = {}
+    for members in _runs(found.room[inside]):
+        _add_pairs(near, inside[members][_close_pairs(found.place[inside[members]])])
     return near
 
 
-def _is_crowd(places: NDArray[np.float32]) -> bool:
-    """Whether places have more near ones than :data:`_CROWD` on average; not all are counted where they are many."""
+def _add_pairs(near: dict[int, list[int]], pairs: NDArray[np.intp]) -> None:
+    """Note pairs, shape (P, 2), for both of each."""
+    for a, b in pairs.tolist():
+        near.setdefault(a, []).append(b)
+        near.setdefault(b, []).append(a)
+
+
+def _pairs_unless_crowd(places: NDArray[np.float32]) -> NDArray[np.intp] | None:
+    """The close pairs of places, or nothing if they have more near ones than :data:`_CROWD` on average: then not all
+    are looked for.
+    """
     most, found = _CROWD * len(places), 0
     if len(places) <= _FEW:
-        return any((found := found + 2 * len(pairs)) > most for pairs in _pairs_along_line(places))
+        pairs = [_NO_PAIRS]
+        for some in _pairs_along_line(places):
+            pairs.append(some)
+            found += 2 * len(some)
+            if found > most:
+                return None
+        return np.concatenate(pairs)
     tree = _tree(places)
     for start in range(0, len(places), _COUNTED):
         own = places[start : start + _COUNTED]
         found += int(tree.query_ball_point(own, _LIMIT, p=np.inf, return_length=True).sum()) - len(own)
         if found > most:
-            return True
-    return False
+            return None
+    return _pairs_of_tree(tree)
 
 
 def _close_pairs(places: NDArray[np.float32]) -> NDArray[np.intp]:
     """Pairs of places, shape (P, 2), that differ by at most 1 in every coordinate."""
     if len(places) > _FEW:
-        return np.asarray(_tree(places).query_pairs(_LIMIT, p=np.inf, output_type="ndarray"))
-    return np.concatenate([np.empty((0, 2), dtype=np.intp), *_pairs_along_line(places)])
+        return _pairs_of_tree(_tree(places))
+    return np.concatenate([_NO_PAIRS, *_pairs_along_line(places)])
 
 
 def _pairs_along_line(places: NDArray[np.float32]) -> Iterator[NDArray[np.intp]]:
@@ -199,6 +224,10 @@ def _pairs_along_line(places: NDArray[np.float32]) -> Iterator[NDArray[np.intp]]
         first = (np.abs(second[step:] - second[:-step]) <= _LIMIT).nonzero()[0]
         first = first[(np.abs(line[first + step] - line[first]) <= _LIMIT).all(axis=1)]
         yield np.stack((order[first], order[first + step]), axis=1)
+
+
+def _pairs_of_tree(tree: Any) -> NDArray[np.intp]:
+    return np.asarray(tree.query_pairs(_LIMIT, p=np.inf, output_type="ndarray"))
 
 
 def _tree(places: NDArray[np.float32]) -> Any:

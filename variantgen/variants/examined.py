@@ -32,9 +32,13 @@ def examined(form: Form, asked: Sequence[Quantity]) -> list[Quantity]:
 
 
 def _without_zeros(form: Form, answers: Sequence[Quantity], asked: Collection[str]) -> list[Quantity]:
-    """Answers that are not zero in the middle of all ranges, and those that are asked."""
-    motion = solve(form.sample, motion_order(answers), form.plan)
-    return [q for q in answers if q.name in asked or not np.all(np.abs(q.whole.value(motion)) <= _NOTHING)]
+    """Answers that are not zero in the middle of all ranges, and those that are asked. The form remembers the zeros."""
+    key = ("zeros", tuple(answers))
+    if key not in form.remembered:
+        motion = solve(form.sample, motion_order(answers), form.plan)
+        form.remembered[key] = {q.name for q in answers if np.all(np.abs(q.whole.value(motion)) <= _NOTHING)}
+    zeros: set[str] = form.remembered[key]
+    return [quantity for quantity in answers if quantity.name in asked or quantity.name not in zeros]
 
 
 def _as_good_as(quantity: Quantity) -> str:

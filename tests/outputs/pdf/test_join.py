@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import pickle
 import tracemalloc
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
+from typing import Any
 
 import pikepdf
 import pytest
 
 from tests.pdf_text import page_texts
-from variantgen.outputs.join import join_pdfs
+from variantgen.outputs import join
+from variantgen.outputs.join import join_pdfs, page_counts
 from variantgen.outputs.pdf.bookmarks import BookmarkName
 
 # What looks like references and keys of a PDF inside strings must not change.
@@ -41,7 +45,9 @@ def part(path: Path, pages: int, title: str) -> Path:
     return path
 
 
-def test_pages_links_and_strings_are_kept(tmp_path: Path) -> None:
+@pytest.mark.parametrize("numbers", [1, 1000])  # each part by itself, or all together
+def test_pages_links_and_strings_are_kept(numbers: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(join, "_PER_BODY", numbers)
     parts = [part(tmp_path / f"p{i}.pdf", i + 1, text) for i, text in enumerate(STRANGE)]
     join_pdfs(parts, tmp_path / "whole.pdf", "T (1 0 R) Ж", "ru", even=True)
     texts = page_texts(tmp_path / "whole.pdf")
@@ -62,6 +68,27 @@ def test_pages_links_and_strings_are_kept(tmp_path: Path) -> None:
         with pdf.open_outline() as outline:
             assert [item.title for item in outline.root] == [text or "-" for text in STRANGE]
         assert [float(page.mediabox[3]) for page in pdf.pages[4:8]] == [100, 101, 102, 100]
+
+
+def test_whoever_writes_the_bodies_makes_the_same_bytes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(join, "_PER_BODY", 30)
+    parts = [part(tmp_path / f"p{i}.pdf", 3, "x") for i in range(9)]
+    asked: list[int] = []
+
+    def others(function: Callable[[Any], Any], given: Iterable[Any]) -> Iterator[Any]:
+        """The last first, as other processes might do them, and sent to and fro."""
+        sent = [pickle.dumps(one) for one in given]
+        asked.append(len(sent))
+        done = [pickle.dumps(function(pickle.loads(one))) for one in reversed(sent)]
+        return map(pickle.loads, reversed(done))
+
+    lengths = join_pdfs(parts, tmp_path / "here.pdf", "T", "en", even=True)
+    assert lengths == [3] * 9
+    assert join_pdfs(parts, tmp_path / "there.pdf", "T", "en", even=True, run=others) == lengths
+    assert page_counts(parts, others) == lengths
+    assert (tmp_path / "here.pdf").read_bytes() == (tmp_path / "there.pdf").read_bytes()
+    assert asked[0] > 2, "several bodies"
+    assert {path.suffix for path in tmp_path.iterdir()} == {".pdf"}, "nothing else is left"
 
 
 def test_bookmarks_are_named_one_by_one(tmp_path: Path) -> None:

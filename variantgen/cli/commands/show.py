@@ -75,16 +75,17 @@ def run(arguments: argparse.Namespace) -> int:
 def _show_problem(arguments: argparse.Namespace) -> None:
     """One problem of a family or a scene."""
     from variantgen.mechanism.outcome import Outcome
-    from variantgen.single import answers, asked_quantities, solution_document
+    from variantgen.single import asked_quantities, document_and_answers
     from variantgen.wording.language import load_language
     from variantgen.wording.plain import plain_problem
 
     variant = wanted_variant(arguments)
-    outcome = Outcome[solution_document(variant, arguments.ask)["outcome"].upper()]
+    document, answers = document_and_answers(variant, arguments.ask)
+    outcome = Outcome[document["outcome"].upper()]
     if outcome is not Outcome.SOLVED:
         raise InputError(Problem(outcome.text, file=arguments.family))
     tell_doubts(arguments, variant)
-    asked, found = asked_quantities(variant, arguments.ask), answers(variant, arguments.ask)
+    asked = asked_quantities(variant, arguments.ask)
     if arguments.figure:
         _write_figures(arguments, variant)
     solution = explained(arguments, variant)
@@ -100,10 +101,10 @@ def _show_problem(arguments: argparse.Namespace) -> None:
     elif arguments.out:
         from variantgen.outputs.single.problem_page import write_single
 
-        write_single(variant, asked, found, arguments.lang, arguments.out, remark)
+        write_single(variant, asked, answers, arguments.lang, arguments.out, remark)
         tell(f"written: {arguments.out}")
     if not (arguments.out or arguments.motion or arguments.figure):
-        values = [(answer.value, answer.unit, answer.surd) for answer in found]
+        values = [(answer.value, answer.unit, answer.surd) for answer in answers]
         say(plain_problem(variant, asked, values, load_language(arguments.lang)))
         if solution is not None:
             say(f"\n{solution}")

@@ -53,12 +53,12 @@ def run(arguments: argparse.Namespace) -> int:
     """
     _check_options(arguments)
     from variantgen.mechanism.outcome import Outcome
-    from variantgen.single import solution_document
+    from variantgen.single import document_and_answers
     from variantgen.wording.words import check_language
 
     check_language(arguments.lang)
     variant = wanted_variant(arguments)
-    document = solution_document(variant, arguments.ask)
+    document, answers = document_and_answers(variant, arguments.ask)
     outcome = Outcome[document["outcome"].upper()]
     tell_doubts(arguments, variant)
     tables: list[ResultTable] = []
@@ -76,7 +76,7 @@ def run(arguments: argparse.Namespace) -> int:
         raise InputError(Problem(outcome.text, file=arguments.family))
     if not arguments.json:
         _say_parameters(document["parameters"])
-        _say_results(arguments, variant, tables)
+        _say_results(arguments, variant, answers, tables)
     return 0
 
 
@@ -100,16 +100,16 @@ def _say_parameters(parameters: dict[str, dict[str, Any]]) -> None:
         say()
 
 
-def _say_results(arguments: argparse.Namespace, variant: Variant, tables: Sequence[ResultTable]) -> None:
+def _say_results(
+    arguments: argparse.Namespace, variant: Variant, answers: Sequence[Answer], tables: Sequence[ResultTable]
+) -> None:
     """The tables of everything, the solution, or the answers."""
-    from variantgen.single import answers
-
     if arguments.all:
         say("\n\n".join("\n".join(_lines(table)) for table in tables))
     elif (solution := explained(arguments, variant)) is not None:
         say(solution)
     else:
-        for answer in answers(variant, arguments.ask):
+        for answer in answers:
             say(_told(answer))
 
 

@@ -6,7 +6,6 @@ import hashlib
 import json
 from collections.abc import Mapping, Sequence
 from decimal import Decimal
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -77,8 +76,11 @@ class Manifest(Struct, frozen=True):
 
 def made_with(exam: Exam) -> dict[str, str]:
     """The inputs of an exam besides its manifest: versions, and hashes of templates and families."""
+    import typst  # it tells its version sooner than importlib.metadata, which reads all that is known of the package
+
     used = {family.name: family.folder for task in exam.tasks for family in task.families if family.folder}
-    found = {"program": VERSION, "engine": version("typst"), "templates": folder_hash(templates_dir())}
+    engine: str = typst.__version__  # type: ignore[attr-defined]  # left out in its list of names
+    found = {"program": VERSION, "engine": engine, "templates": folder_hash(templates_dir())}
     return {**found, **{f"family:{name}": family_hash(used[name]) for name in sorted(used)}}
 
 

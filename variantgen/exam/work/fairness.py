@@ -25,12 +25,12 @@ from variantgen.errors import InputError, Problem
 from variantgen.exam.answer_tolerances import AnswerTolerances, ToleranceScreening
 from variantgen.exam.work.kept_work import Sizes, WorkSample
 from variantgen.exam.work.wanted_work import LEVELS, MOST, Span
-from variantgen.exam.work.work_samples import variant_work, work_sample
+from variantgen.exam.work.work_samples import variant_answers, variant_work, work_sample
 from variantgen.families.family import Family, Form
 from variantgen.families.quantities import Quantity, motion_order
 from variantgen.mechanism.motion import Motion
 from variantgen.mechanism.rows import Frame
-from variantgen.methods.hand.work import Work
+from variantgen.methods.hand.work import Work, work_of
 from variantgen.variants.draw import FamilySampler
 from variantgen.variants.printed_data import max_distinct_problems
 from variantgen.variants.screening import Values
@@ -152,10 +152,14 @@ class _FairScreening(Struct, frozen=True):
             band = self.fair.band(variants[i].family, self.inner.form, self.inner.asked)
             if band.calculations is None:
                 continue
-            work = variant_work(variants[i], self.inner.motion, places[i], self.inner.asked)
+            found = variant_answers(variants[i], self.inner.motion, places[i], self.inner.asked)
+            work = None if found is None else work_of(found.values())
             fair[i] = work in band
             if fair[i]:
                 self.fair.keep(variants[i], work)
+                if found is not None:
+                    answers = [value.exact for value in found.values()]
+                    self.fair.answer_tolerances.keep_answers(variants[i], self.inner.asked, answers)
         return {**screens, "work as usual for the problem": fair}
 
 

@@ -17,6 +17,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from variantgen.algebra.expression import Value
 from variantgen.errors import InputError, VariantgenError
 from variantgen.exam.answer_tolerances import AnswerTolerances
 from variantgen.exam.exam_file import read_exam
@@ -76,10 +77,16 @@ def variant_work(variant: Variant, motion: Motion, place: int, asked: Sequence[Q
 
     None where no method leads to what is asked.
     """
+    found = variant_answers(variant, motion, place, asked)
+    return None if found is None else work_of(found.values())
+
+
+def variant_answers(variant: Variant, motion: Motion, place: int, asked: Sequence[Quantity]) -> dict[str, Value] | None:
+    """The answers to which the natural solution of a variant leads, in the order of what is asked; None without one."""
     from variantgen.methods.natural_answers import natural_answers  # loaded when a solution is worked out
 
     try:
-        return work_of(natural_answers(task_of(variant, motion, place, asked)).values())
+        return natural_answers(task_of(variant, motion, place, asked))
     except NOT_APPLICABLE:
         return None
     except VerificationError:  # that is said of a variant when it is handed out

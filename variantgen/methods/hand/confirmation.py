@@ -36,15 +36,21 @@ class UnconfirmedError(VerificationError):
 
 
 def confirm_answers(
-    variants: Sequence[Variant], asked: Sequence[Quantity], motion: Motion, places: Sequence[int]
+    variants: Sequence[Variant],
+    asked: Sequence[Quantity],
+    motion: Motion,
+    places: Sequence[int],
+    worked_out: Array | None = None,
 ) -> None:
     """Raise UnconfirmedError for the first variant to whose answers its steps do not lead.
 
-    ``places`` are the indices of the variants, which share one form, in the batch ``motion``. A variant to which no
-    method applies stands on the independent computation alone, and so does an extreme of a turn. The form remembers
-    steps for variants to come.
+    ``places`` are the indices of the variants, which share one form, in the batch ``motion``; ``worked_out`` is to
+    which answers their steps lead as far as that is known, shape (answers, N). A variant to which no method applies
+    stands on the independent computation alone, and so does an extreme of a turn. The form remembers steps for variants
+    to come.
     """
     form = variants[0].form
+    steady = [not quantity.is_extreme for quantity in asked]
     asked = [quantity for quantity in asked if not quantity.is_extreme]
     if not asked:
         return
@@ -53,6 +59,8 @@ def confirm_answers(
         ("confirmed by", batch.family, tuple(asked)), []
     )
     with np.errstate(all="ignore"):
+        if worked_out is not None:
+            batch.strike(batch.left, worked_out[steady], np.ones(len(variants)))
         for model, steps in known:
             batch.confirm(model, steps)
         while batch.left:
@@ -99,8 +107,11 @@ class _Batch:
         chosen = [i for i in self.left if self._kinds[i] == kind]
         if not chosen:
             return
-        found = steps.repeat(cut(self._data, chosen))
         mirrored = np.array([1 if self._lies_as_drawn else model.sense * self._senses[i] for i in chosen])
+        self.strike(chosen, steps.repeat(cut(self._data, chosen)), mirrored)
+
+    def strike(self, chosen: Sequence[int], found: Array, mirrored: Array) -> None:
+        """Strike those of the chosen whose answers were found, of themselves or, where ``mirrored`` is -1, mirrored."""
         good = np.ones(len(chosen), dtype=bool)
         for quantity, numbers, right, near in zip(self._asked, found, self._right, self._near, strict=True):
             answers = numbers

@@ -8,7 +8,7 @@ import shutil
 import signal
 import tempfile
 import threading
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from contextlib import contextmanager
 from fnmatch import fnmatchcase
 from pathlib import Path
@@ -19,7 +19,7 @@ from variantgen.outputs.files.edited import EDITED, file_hash, keep_edited
 
 _SINGLY = 100  # files that are brought to the disk one by one, at some 5 ms each; of more, all at once is sooner
 
-KnownFiles = Callable[[], Collection[str]]
+KnownFiles = Callable[[], Iterable[str]]
 
 
 class WritingError(InputError):
@@ -32,7 +32,7 @@ def check_free(target: Path, force: bool, known: KnownFiles) -> None:
     """Raise InputError if the target exists and may not be replaced, or cannot be made.
 
     ``known`` says the files of an output, which may be replaced: names or patterns like ``figures/*.svg`` (a star
-    stands for folders too). It is asked only where there is something to replace.
+    stands for folders too). It is asked only where there is something to replace, and for no more than it takes.
     """
     if target.exists() and not target.is_dir():
         raise InputError(Problem("the output is a file, not a folder", key="--out", value=str(target)))
@@ -40,7 +40,7 @@ def check_free(target: Path, force: bool, known: KnownFiles) -> None:
         remedy = "choose another, or --force replaces an earlier output"
         raise InputError(Problem("the output folder exists", key="--out", value=str(target), remedy=remedy))
     if target.exists():
-        foreign = list(_foreign(target, known()))
+        foreign = list(_foreign(target, _Asked(known())))
         if foreign or target.resolve() in (Path.cwd(), *Path.cwd().parents):
             remedy = "--force replaces only an empty folder or an earlier output; choose another folder"
             what = ", ".join(foreign[:3]) or "the working folder"
@@ -58,7 +58,20 @@ def check_free(target: Path, force: bool, known: KnownFiles) -> None:
         raise InputError(Problem("the parent folder cannot be written to", key="--out", value=str(parent)))
 
 
-def _foreign(folder: Path, known: Collection[str], within: str = "") -> Iterator[str]:
+class _Asked:
+    """What an iterator gives, any number of times, taken from it only as far as somebody wants it."""
+
+    def __init__(self, given: Iterable[str]) -> None:
+        self._left, self._taken = iter(given), list[str]()
+
+    def __iter__(self) -> Iterator[str]:
+        yield from self._taken
+        for item in self._left:
+            self._taken.append(item)
+            yield item
+
+
+def _foreign(folder: Path, known: Iterable[str], within: str = "") -> Iterator[str]:
     """What a folder holds besides known files, and those that were kept because somebody had edited them."""
     for path in sorted(folder.iterdir()):
         name = within + path.name

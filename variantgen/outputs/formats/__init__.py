@@ -14,7 +14,8 @@ A module has
 
 A module that makes several formats has them in ``FORMATS``, by their names, instead (``qti``).
 
-``make`` and the functions of ``SUMMARIES`` run in any process; ``finish`` runs once, in the main one.
+``make`` and the functions of ``SUMMARIES`` run in any process; ``finish`` runs once, in the main one, and may have
+others help it.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from __future__ import annotations
 import importlib
 import pkgutil
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any, Protocol, cast
@@ -37,6 +38,7 @@ from variantgen.exam.roster import Student
 from variantgen.exam.sheets import Sheet
 from variantgen.outputs.files.records import RECORDS
 from variantgen.outputs.files.student_groups import GroupFiles, both_halves, by_group
+from variantgen.outputs.run import Run
 from variantgen.outputs.typst.typesetter import Typesetter
 from variantgen.tables import Table
 
@@ -98,7 +100,7 @@ class WholeExam(Struct, frozen=True):
     (:mod:`variantgen.outputs.files.student_groups`).
 
     ``finish`` may add ``notes``, which are messages for the user of the program, and to ``pages``: how many students
-    have so many pages, by document.
+    have so many pages, by document. By ``run`` it may have work on files done by other processes.
     """
 
     exam: Exam
@@ -108,6 +110,7 @@ class WholeExam(Struct, frozen=True):
     pieces: dict[str, list[Path]] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)
     pages: dict[str, dict[int, int]] = field(default_factory=dict)
+    run: Run = map
 
     def of_groups(self, target: str, groups: GroupFiles) -> dict[str, list[Path]]:
         """The pieces of each group, of sheets, of solutions or of a key by student and by problem."""
@@ -165,9 +168,14 @@ def is_target(name: object, target: object) -> bool:
     return name in FORMATS and re.fullmatch(format_of(name).TARGETS, target, re.DOTALL) is not None
 
 
-def known_files() -> tuple[str, ...]:
-    """Names and patterns of all files that a build may have made."""
-    return (*COMMON, *(pattern for name in FORMATS for pattern in format_of(name).FILES))
+def known_files(first: Sequence[str] = ()) -> Iterator[str]:
+    """Names and patterns of all files that a build may have made, those of the formats named ``first`` before others.
+
+    A format is loaded when its files are asked for.
+    """
+    yield from COMMON
+    for name in dict.fromkeys((*first, *FORMATS)):
+        yield from format_of(name).FILES
 
 
 def read_exam(path: Path, folders: tuple[Path, ...] | None = None) -> Exam:

@@ -108,9 +108,9 @@ def finish(whole: WholeExam) -> None:
             if chosen.joined:
                 language = exam.solutions.language if target == "solutions" else exam.language
                 joined = whole.folder / f"{target}.pdf"
-                lengths = join_pdfs(paths, joined, exam.title, language, exam.duplex, names)
+                lengths = join_pdfs(paths, joined, exam.title, language, exam.duplex, names, whole.run)
             else:
-                lengths = page_counts(paths)
+                lengths = page_counts(paths, whole.run)
             whole.pages[target] = _on_paper(lengths, exam.duplex)
             whole.notes.append(f"{target}.pdf: {_said(lengths, exam.duplex)}")
     if chosen.for_groups:
@@ -150,7 +150,8 @@ def write_key(whole: WholeExam) -> None:
     if _options(exam).for_groups:
         _join_groups(whole, ["key"], [])
     else:
-        join_pdfs(whole.pieces["key"], whole.folder / "key.pdf", exam.title, exam.language, False)
+        key = whole.folder / "key.pdf"
+        join_pdfs(whole.pieces["key"], key, exam.title, exam.language, False, run=whole.run)
 
 
 def _join_groups(whole: WholeExam, targets: Sequence[str], names: Sequence[BookmarkName]) -> None:
@@ -164,7 +165,7 @@ def _join_groups(whole: WholeExam, targets: Sequence[str], names: Sequence[Bookm
         for group, own in whole.of_groups(target, groups).items():
             path, even = whole.folder / target / f"{groups.stems[group]}.pdf", exam.duplex and target != "key"
             titles = None if target == "key" else [replace(names[place], group="") for place in groups.places[group]]
-            join_pdfs(own, path, exam.title, language, even, titles)
+            join_pdfs(own, path, exam.title, language, even, titles, whole.run)
 
 
 def _hand_out(sheets: Sequence[Sheet], parts: Sequence[Path], folder: Path, chosen: PdfOptions) -> None:

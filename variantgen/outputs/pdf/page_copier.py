@@ -8,7 +8,7 @@ from typing import Any
 
 import pikepdf
 
-from variantgen.outputs.pdf.writer import PdfWriter
+from variantgen.outputs.pdf.writer import ObjectWriter
 
 # Strings are matched to be left alone; then references, and keys of the number tree of the structure.
 _TOKEN = re.compile(rb"\((?:[^()\\]|\\.)*\)|<[0-9A-Fa-f]+>|(\d+) 0 R|(/StructParents? )(\d+)", re.DOTALL)
@@ -21,7 +21,7 @@ class PageCopier:
     added to the keys by which pages and annotations are found in the structure.
     """
 
-    def __init__(self, source: pikepdf.Pdf, writer: PdfWriter, first_key: int) -> None:
+    def __init__(self, source: pikepdf.Pdf, writer: ObjectWriter, first_key: int) -> None:
         self.source = source
         self.new: dict[int, int] = {}
         self._writer, self._first_key = writer, first_key
@@ -30,6 +30,10 @@ class PageCopier:
     def text(self, found: Any) -> bytes:
         """An object of the part as it is written in the whole."""
         return _TOKEN.sub(self._token, found.unparse())
+
+    def content(self, found: Any) -> bytes:
+        """What an object is, though it has a number, as it is written in the whole."""
+        return _TOKEN.sub(self._token, found.unparse(resolved=True))
 
     def copy(self) -> None:
         """Write everything that has been named since, and what is named in that."""
@@ -42,7 +46,7 @@ class PageCopier:
                 body = _TOKEN.sub(self._token, entries.unparse(resolved=True)).strip()
                 self._writer.put_stream(number, body.removeprefix(b"<<").removesuffix(b">>"), found.read_raw_bytes())
             else:
-                self._writer.put(number, _TOKEN.sub(self._token, found.unparse(resolved=True)))
+                self._writer.put(number, self.content(found))
 
     def _token(self, match: re.Match[bytes]) -> bytes:
         old = match[1]
