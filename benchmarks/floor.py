@@ -51,9 +51,8 @@ def record(folder: Path, arguments: Sequence[str]) -> None:
         def _note(self, template: Path, named: dict[str, Any]) -> None:
             (told,) = {**self._made, **named}["sys_inputs"].values()  # the file that names the others
             inputs = json.loads((self._root / told).read_text("utf-8")).values()
-            files = [name for name in (told, *inputs) if name.endswith(".json")]
-            # Pages are named before they are planned.
-            data = {name: (self._root / name).read_bytes() for name in files if (self._root / name).exists()}
+            # Not all that is told is the name of a file, and pages are named before they are planned.
+            data = {name: (self._root / name).read_bytes() for name in (told, *inputs) if (self._root / name).is_file()}
             # Names in the order of the calls, whichever process makes them.
             with (folder / f"{time.monotonic_ns():020}-{os.getpid()}.call").open("wb") as file:
                 pickle.dump((template.relative_to(self._root), self._made, named, data), file, pickle.HIGHEST_PROTOCOL)

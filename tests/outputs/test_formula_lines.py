@@ -10,6 +10,8 @@ import typst
 from variantgen.exam.solution_paper import HEIGHT
 from variantgen.outputs.typst.formula_lines import COLUMN, Line, Row, in_lines
 from variantgen.outputs.typst.markup import Piece, piece
+from variantgen.outputs.typst.row_source import row_source
+from variantgen.outputs.typst.source import TypstSource, array
 from variantgen.outputs.typst.typesetter import typesetter
 from variantgen.wording.formula import Dotted, Fraction, Number, Root, Symbol
 
@@ -84,17 +86,17 @@ def test_lines_with_fractions_have_the_room_of_their_ink() -> None:
 def test_documents_with_tags_have_the_markup_of_pieces_and_others_their_letters() -> None:
     (line,) = in_lines([[("", piece(Symbol("x"))), ("=", digits(2))]], ".").lines
     # What follows is a quarter of an em away, on both sides of the sign: a space that the font has.
-    assert line.data(letters=False)[-1] == (("x",), 0.25, "=", 0.25, (str(digits(2)),), ".")
-    assert line.data(letters=True)[-1] == ("\N{MATHEMATICAL ITALIC SMALL X}\u2005=\u200588.",)
+    assert line.fragments(letters=False) == (("x",), 0.25, "=", 0.25, (str(digits(2)),), ".")
+    assert line.fragments(letters=True) == ("\N{MATHEMATICAL ITALIC SMALL X}\u2005=\u200588.",)
 
 
 def test_the_height_of_a_row_is_known_where_all_of_it_is_set() -> None:
     row = in_lines([[("", digits(20)), ("=", digits(20))], [("", digits(10))]], ".")
     # Two lines of capitals, 0.683 em high, with 0.64 em between them.
-    assert abs(row.data(letters=True)["high"] - (2 * 0.683 + 0.64)) < 1e-9
-    assert row.data(letters=False)["high"] < 0
+    assert row.known_height(letters=True) == pytest.approx(2 * 0.683 + 0.64, abs=1e-9)
+    assert row.known_height(letters=False) is None
     unknown = in_lines([[("", piece(Dotted(Symbol("x"), 1)))]], ".")
-    assert unknown.data(letters=True)["high"] < 0
+    assert unknown.known_height(letters=True) is None
 
 
 def test_known_heights_are_those_that_the_engine_measures() -> None:
@@ -110,14 +112,15 @@ def test_known_heights_are_those_that_the_engine_measures() -> None:
         Row(False, [over]),
     ]
     assert [len(row.lines) for row in rows] == [1, 2, 1, 1, 1]
-    told = [row.data(letters=True) for row in rows]
+    source = TypstSource(letters=True, spoken=False)
+    told = source.value(array([row_source(source, row) for row in rows]))
     with typesetter() as engine:
-        (engine.root / "rows.json").write_text(json.dumps({"rows": told}), "utf-8")
+        (engine.root / "rows.txt").write_text(told, "utf-8")
         (engine.root / "heights-of-rows.typ").write_text(
-            '#import "solution.typ": column, em, formulas\n#import "common.typ": document-style\n'
+            '#import "solution.typ": column, contents, em\n#import "base.typ": document-style\n'
             '#show: document-style.with("en")\n#set text(size: em)\n'
-            '#context [#metadata(formulas(json("rows.json"), false).map(row => '
-            "measure(block(width: column, row.body)).height / em))<found>]\n",
+            '#context [#metadata(contents("rows.txt").map(row => '
+            "measure(block(width: column, row)).height / em))<found>]\n",
             "utf-8",
         )
         measured = json.loads(
@@ -126,5 +129,5 @@ def test_known_heights_are_those_that_the_engine_measures() -> None:
                 ignore_system_fonts=True,
             )
         )  # fmt: skip
-    for row, high in zip(told, measured, strict=True):
-        assert abs(row["high"] - high) < 2e-3
+    for row, high in zip(rows, measured, strict=True):
+        assert row.known_height(letters=True) == pytest.approx(high, abs=2e-3)

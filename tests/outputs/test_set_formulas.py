@@ -9,7 +9,7 @@ import xml.etree.ElementTree as ET
 import pytest
 
 from variantgen.outputs.typst.markup import TypstMarkup, heading, markup
-from variantgen.outputs.typst.set_formulas import set_formulas
+from variantgen.outputs.typst.set_formulas import set_formulas, set_longer
 from variantgen.outputs.typst.typesetter import typesetter
 from variantgen.wording.formula import (
     Equation,
@@ -100,7 +100,7 @@ def glyphs(node: ET.Element, shift: complex = 0j) -> list[Glyph]:
 def pages() -> list[list[Glyph]]:
     import typst
 
-    known = {"data": MARKUP, "set-formulas": set_formulas(MARKUP, longer=True)}
+    known = {"data": MARKUP, "set-formulas": {str(found): set_longer(found) for found in MARKUP}}
     names = {name: f"{name}.json" for name in known}
     files = {**known, "inputs": {"form": "svg", **names}}
     with typesetter() as engine:

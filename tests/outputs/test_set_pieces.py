@@ -10,7 +10,7 @@ import pytest
 
 from tests.outputs.test_set_formulas import NUMBER, SVG, Glyph, glyphs
 from variantgen.outputs.typst.markup import Piece, piece
-from variantgen.outputs.typst.set_formulas import SetFormula, set_formulas, set_piece
+from variantgen.outputs.typst.set_formulas import SetFormula, set_formulas, set_piece, set_whole_piece
 from variantgen.outputs.typst.typesetter import typesetter
 from variantgen.wording.formula import (
     Absolute,
@@ -88,7 +88,7 @@ def bars(node: ET.Element, shift: complex = 0j) -> list[complex]:
 
 
 def fragments(made: Piece) -> SetFormula:
-    found = set_piece(made)
+    found = set_whole_piece(made)
     assert found, "it is set here"
     return found
 
@@ -150,6 +150,6 @@ def test_what_has_no_letters_is_left_to_the_engine() -> None:
 
 
 def test_text_has_no_fractions_of_full_size() -> None:
-    assert set_formulas([piece(HALF)], longer=True) == {}
+    assert set_formulas([piece(HALF)]) == {}
     assert str(piece(SPEED)) == "v_(B)"
     assert str(piece(HALF)) == 'display(frac("1", "2"))'

@@ -4,7 +4,15 @@ from __future__ import annotations
 
 from typing import Any
 
-from variantgen.outputs.typst.solution_pages import Block, ProblemBlocks, contents_of, is_too_high, pages_of
+from variantgen.outputs.typst.solution_pages import (
+    Block,
+    Pages,
+    ProblemBlocks,
+    figure_block,
+    is_too_high,
+    pages_of,
+    stacked,
+)
 from variantgen.outputs.typst.typesetter import typesetter
 
 
@@ -16,9 +24,9 @@ def figure(number: int, high: float, drawn: float = 0.0, least: float = 1.0) -> 
     return Block("figure", number, high, 3.0, 3.0, unit=1.0, least=least, drawn=drawn)
 
 
-def places(pages: dict[str, Any]) -> list[list[tuple[str, int, float, float]]]:
+def places(pages: Pages) -> list[list[tuple[str, int, float, float]]]:
     """What stands on each page: what, which, from the left, from the top."""
-    return [[(kind, number, x, y) for kind, _, number, x, y, _ in page] for page in pages["pages"]]
+    return [[(kind, number, x, y) for kind, _, number, x, y, _ in page] for page in pages.pages]
 
 
 def test_columns_are_as_low_as_can_be() -> None:
@@ -35,7 +43,7 @@ def test_columns_are_as_low_as_can_be() -> None:
             ("unit", 3, 93, 78),
         ]
     ]
-    assert found["high"] == 118
+    assert found.y == 118
 
 
 def test_what_is_wide_stands_between_columns() -> None:
@@ -67,26 +75,16 @@ def test_figures_are_smaller_where_that_saves_a_nearly_empty_page() -> None:
         tall = tuple(unit(n, 60, figures=(figure(n, 62, 100, least),)) for n in range(1, 5))
         return ProblemBlocks((0, 0), (unit(0, 20), *tall), figure(0, 20))
 
-    assert len(pages_of(0, [problem(1.0)])["pages"]) == 2
-    (page,) = pages_of(0, [problem(0.5)])["pages"]
+    assert len(pages_of(0, [problem(1.0)]).pages) == 2
+    (page,) = pages_of(0, [problem(0.5)]).pages
     assert {unit for kind, _, number, _, _, unit in page if kind == "figure" and number} <= {0.92, 0.83}
 
 
-def test_the_measured_heights_are_those_of_the_parts() -> None:
-    # A part is the space above and below it and its height, which is measured where it is negative.
-    units = [(False, [1], [(4, 2, -1), (3, 5, 10.5)]), (True, [], [(6, 4, -1)])]
-    measured = {
-        "heights": [20, 10, 8, 30, 40, 5, 6],
-        "problems": [{"units": units, "figures": [(50, 0.5, 0.4), (60, 1, 1)]}],
-    }
-    head, (problem,) = contents_of(measured)
-    assert (head, problem.headings) == (20, (10, 8))
-    # 30 are measured, 3 are above the second part, whose 10.5 are known.
-    assert [(block.high, block.wide) for block in problem.units] == [(43.5, False), (40, True)]
-    assert [(block.above, block.below, block.parts) for block in problem.units] == [(4, 5, (0, 33)), (6, 4, (0,))]
-    assert problem.beside.high == 50 * 0.5 + 1.6 + 5
-    assert [own.high for own in problem.units[0].figures] == [60 + 1.6 + 6]
-    assert not is_too_high([problem])
+def test_parts_stand_below_each_other() -> None:
+    # 30 high, then 5 of space, as 3 below the first are fewer than 5 above the second, and 10.5.
+    assert stacked([(4, 3, 30), (5, 2, 10.5)]) == (45.5, (0, 35))
+    assert figure_block(0, 50, 0.5, 0.4, 5).high == 50 * 0.5 + 1.6 + 5
+    assert not is_too_high([ProblemBlocks((0, 0), (unit(0, 267),), figure(0, 1))])
     assert is_too_high([ProblemBlocks((0, 0), (unit(0, 268),), figure(0, 1))])
 
 

@@ -12,7 +12,7 @@ from variantgen.figure.placement.labels import NOTHING_PLACED, WantedLabels, pla
 from variantgen.figure.sketch import MARGIN, Sketch, box_about, moved, moved_arc
 
 
-class Lettered(Struct, frozen=True, dict=True):
+class LetteredSketch(Struct, frozen=True, dict=True):
     """A sketch with its labels placed: the drawing is put in order only if it is kept."""
 
     sketch: Sketch
@@ -63,7 +63,7 @@ def finish(sketch: Sketch, named: Mapping[str, complex]) -> Drawing:
     return found.drawing
 
 
-def lettered(sketches: Sequence[tuple[Sketch, Mapping[str, complex]]]) -> list[Lettered]:
+def lettered(sketches: Sequence[tuple[Sketch, Mapping[str, complex]]]) -> list[LetteredSketch]:
     """Several sketches with their labels placed, each with the places that are named beside them."""
     wanted = [
         WantedLabels(sketch.requests, sketch.obstacles.segments(), list(named.values()))
@@ -71,7 +71,7 @@ def lettered(sketches: Sequence[tuple[Sketch, Mapping[str, complex]]]) -> list[L
         if sketch.requests
     ]
     placed = iter(place_labels(wanted) if wanted else ())
-    return [Lettered(sketch, *(next(placed) if sketch.requests else NOTHING_PLACED)) for sketch, _ in sketches]
+    return [LetteredSketch(sketch, *(next(placed) if sketch.requests else NOTHING_PLACED)) for sketch, _ in sketches]
 
 
 def _on_paper(label: Label, by: complex, plates: Sequence[Sequence[complex]]) -> Label:

@@ -11,7 +11,7 @@ from typing import NamedTuple, TypeAlias
 
 from variantgen.errors import InputError
 from variantgen.figure.drawing import Drawing
-from variantgen.figure.lettered_sketch import Lettered, lettered
+from variantgen.figure.lettered_sketch import LetteredSketch, lettered
 from variantgen.figure.sketch import Sketch
 from variantgen.wording.words import MissingWordError
 
@@ -26,7 +26,7 @@ class Unlettered(NamedTuple):
     widest: float = float("inf")
 
 
-Making: TypeAlias = Generator[Unlettered, Lettered, Drawing]
+Making: TypeAlias = Generator[Unlettered, LetteredSketch, Drawing]
 
 
 def made(making: Making) -> Drawing:
@@ -58,7 +58,7 @@ def tried(makings: Sequence[Making]) -> list[Drawing | InputError]:
 
 
 def _next(
-    making: Making, lettered: Lettered | None, number: int, found: dict[int, Drawing | InputError]
+    making: Making, lettered: LetteredSketch | None, number: int, found: dict[int, Drawing | InputError]
 ) -> Unlettered | None:
     """What a figure tries next after it has got a sketch lettered (none: at first); None where it is ``found``."""
     try:

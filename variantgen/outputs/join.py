@@ -14,7 +14,7 @@ from typing import Any
 
 import pikepdf
 
-from variantgen.outputs.pdf.body import Body, WrittenBody, numbers_of, page_lengths, write_body
+from variantgen.outputs.pdf.body import PdfBody, WrittenBody, numbers_of, page_lengths, write_body
 from variantgen.outputs.pdf.bookmarks import Bookmark, BookmarkName, renamed, write_bookmarks
 from variantgen.outputs.pdf.page_copier import PageCopier
 from variantgen.outputs.pdf.structure import PartsOfStructure, SharedObjects, write_structure
@@ -82,14 +82,14 @@ class _Whole:
         self._next_key = 0
         self.lengths: list[int] = []
 
-    def bodies(self, parts: Sequence[Path], even: bool, folder: Path) -> Iterator[Body]:
+    def bodies(self, parts: Sequence[Path], even: bool, folder: Path) -> Iterator[PdfBody]:
         """The parts, as many together as have enough objects; the numbers of these are reserved."""
         place = 0
         while place < len(parts):
             room, end = 0, place
             while end < len(parts) and room < _PER_BODY:
                 room, end = room + numbers_of(parts[end]), end + 1
-            yield Body(
+            yield PdfBody(
                 tuple(parts[place:end]),
                 place,
                 self._writer.reserve(room),
@@ -102,7 +102,7 @@ class _Whole:
             )
             place = end
 
-    def take(self, body: Body, written: WrittenBody) -> None:
+    def take(self, body: PdfBody, written: WrittenBody) -> None:
         """Take the next body."""
         self._writer.append(body.file, body.first, written.rows, written.digest)
         body.file.unlink()

@@ -112,7 +112,8 @@ def test_the_typeset_figure_has_the_same_places(drawn: Picture, letters: bool) -
     assert bool(data["labels"]["markup"]) != letters
     page = '#import "figure.typ": draw-figure\n#import "common.typ": *\n'
     page += "#set page(width: auto, height: auto, margin: 0pt)\n"
-    page += '#show: document-style.with("ru")\n#draw-figure(json(inputs.data).figure, 1000pt, 1pt)\n'
+    page += '#show: document-style.with("ru")\n#let figure = json(inputs.data).figure\n'
+    page += "#draw-figure(figure, labels-of(figure), 1000pt, 1pt)\n"
     with typesetter() as engine:
         (engine.root / "one.typ").write_text(page)
         made = engine.compile("one.typ", {"figure": data}, "svg")[0].decode()
@@ -235,9 +236,17 @@ def test_dashes_and_pens_are_the_same_everywhere(width: float | None) -> None:
     ]
     pens = {name: point * float(x) for name, x in re.findall(r"(\w+)/.style={line width=([\d.]+)pt}", source)}
     from_tikz = [(pens["fine"], lengths[0]), (pens["medium"], lengths[1])]
-    drawn = [(weight, dash) for weight, _, dash, *_ in figure_data(DASHED)["curves"] if weight]
-    from_engine = [(unit * weight, [unit * x for x in dash]) for weight, dash in drawn]
-    for found, near_by in ((from_svg, 1e-3), (from_mpl, 1e-6), (from_tikz, 0.02), (from_engine, 1e-9)):
+    curves = figure_data(DASHED)["curves"]
+    drawn = [(weight, dash) for weight, _, dash, *_ in curves.one_by_one() if weight]
+    image = [  # in hundredths
+        (0.01 * float(x.attrib["stroke-width"]), [0.01 * float(n) for n in x.attrib["stroke-dasharray"].split()])
+        for x in ET.fromstring(curves.image).findall(".//{http://www.w3.org/2000/svg}path[@stroke-dasharray]")
+    ]
+    from_engine, from_image = (
+        [(unit * weight, [unit * x for x in dash]) for weight, dash in found] for found in (drawn, image)
+    )
+    every = (from_svg, 1e-3), (from_mpl, 1e-6), (from_tikz, 0.02), (from_engine, 1e-9), (from_image, 1e-9)
+    for found, near_by in every:
         assert len(found) == 2
         for (pen, dashes), (wanted_pen, wanted_dashes) in zip(found, wanted, strict=True):
             assert pen == pytest.approx(wanted_pen, abs=near_by)
@@ -252,7 +261,7 @@ def test_paper_lies_behind_each_label() -> None:
     box = [float(rect.attrib[key]) for key in ("x", "y", "width", "height")]
     low = label.at - complex(width, height) / 2
     assert box == pytest.approx([low.real, DASHED.height - low.imag - height, width, height], abs=0.011)
-    (*_, (weight, fill, _, path)) = figure_data(DASHED)["curves"]
+    (*_, (weight, fill, _, path)) = figure_data(DASHED)["curves"].one_by_one()
     assert (weight, fill) == (0, "paper")
     corners = [complex(int(x), int(y)) / 100 for x, y in re.findall(r"(-?\d+) (-?\d+)", path)]
     top = DASHED.height - low.imag - height

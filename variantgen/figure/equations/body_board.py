@@ -69,8 +69,7 @@ class FigureSubject(Struct, frozen=True):
 
     def board(self, scale: float) -> MotionBoard:
         """The mechanism without the data of the statement."""
-        plain = self.mechanism.board(False, scale=scale, poses=self.poses)
-        return MotionBoard(**asdict(plain))
+        return MotionBoard(**asdict(self.mechanism.board(False, scale=scale, poses=self.poses)))
 
 
 class BodyBoard:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from variantgen.figure.inspection.faults import buried_heads, count_label_faults, misread_labels
-from variantgen.figure.lettered_sketch import Lettered
+from variantgen.figure.lettered_sketch import LetteredSketch
 from variantgen.figure.making import Making, Unlettered
 
 _FAULT, _BURIED = 10, 3  # a label that is crossed or covered, a head of an arrow that is, in leaders
@@ -22,7 +22,7 @@ def first_roomy(drafts: Iterable[Unlettered]) -> Making:
     return _first(drafts, lambda draft: _BURIED * len(buried_heads(draft.sketch.lines)), _crowding)
 
 
-def _crowding(found: Lettered) -> int:
+def _crowding(found: LetteredSketch) -> int:
     """Faults of labels, and the leaders that are too many for them."""
     allowed = max(_FEW, len(found.labels) // _SHARE)
     faults = count_label_faults(found.drawing) + len(misread_labels(found.drawing)) if found.doubtful else 0
@@ -30,14 +30,14 @@ def _crowding(found: Lettered) -> int:
 
 
 def _first(
-    drafts: Iterable[Unlettered], bare: Callable[[Unlettered], int], crowding: Callable[[Lettered], int]
+    drafts: Iterable[Unlettered], bare: Callable[[Unlettered], int], crowding: Callable[[LetteredSketch], int]
 ) -> Making:
     """The first drawing that is not crowded, or the least crowded one; no more are made than are looked at.
 
     Crowded it may be without labels (``bare``) and with them (``crowding``). What is so without any is lettered last.
     """
     waiting: list[tuple[int, int, Unlettered]] = []
-    best: tuple[int, int, Lettered] | None = None
+    best: tuple[int, int, LetteredSketch] | None = None
     for number, draft in enumerate(drafts):
         if draft.sketch.width >= draft.widest:
             continue

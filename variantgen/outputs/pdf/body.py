@@ -23,7 +23,7 @@ _TAIL = 1024  # bytes at the end of a file in which its trailer is
 _TRAILER = re.compile(rb"trailer\s*<<\s*/Size (\d+)")
 
 
-class Body(Struct, frozen=True):
+class PdfBody(Struct, frozen=True):
     """Parts of a whole, the first of which is the one at ``place``, and the file for their objects.
 
     The objects are numbered from ``first`` on, ``room`` numbers at most. ``pages`` is the number of the root of the
@@ -67,7 +67,7 @@ def numbers_of(path: Path) -> int:
     return size + spare(size)
 
 
-def write_body(body: Body) -> WrittenBody:
+def write_body(body: PdfBody) -> WrittenBody:
     """Write the objects of some parts. Raises ValueError if there is no room for their numbers."""
     with body.file.open("wb") as file:
         writer = ObjectWriter(file, body.first, body.packed)

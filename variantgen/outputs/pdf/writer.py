@@ -126,7 +126,9 @@ class PdfWriter(ObjectWriter):
         return self.digest.hex()[:32].encode()
 
     def append(self, path: Path, first: int, rows: NDArray[Any], digest: bytes) -> None:
-        """Take a file of objects that an :class:`ObjectWriter` has written, with reserved numbers from ``first`` on."""
+        """Take a file of objects that an :class:`ObjectWriter` has written, with reserved numbers from ``first`` on;
+        ``rows`` has one for each number, shape (N,).
+        """
         rows["at"][rows["kind"] == _ALONE] += self._size
         self._others.append((first, rows))
         self._digest.update(digest)

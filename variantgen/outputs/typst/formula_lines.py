@@ -8,15 +8,14 @@ that is longer than the whole line is set smaller. Lengths in em of the text of 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 from msgspec import Struct, field
 
 from variantgen.exam import solution_paper
 from variantgen.exam.solution_paper import EM, WIDTH
-from variantgen.outputs.typst.fragments import FULL, FragmentTable, LetterLine, rounded
-from variantgen.outputs.typst.markup import Lettered, Piece
-from variantgen.outputs.typst.set_formulas import set_piece
+from variantgen.outputs.typst.fragments import FULL, Fragment, LetterLine, PlacedMark, rounded
+from variantgen.outputs.typst.markup import Piece
+from variantgen.outputs.typst.set_formulas import set_piece, set_whole_piece
 from variantgen.outputs.typst.widths import formula_width
 
 COLUMN, PAGE = solution_paper.COLUMN / EM, WIDTH / EM
@@ -28,7 +27,7 @@ _SIGN, _STOP = 0.778, 0.278  # widths of signs as =, and of marks as ;
 _ROOM = 0.05  # for what is rounded
 _NEARLY = 1.08  # by how much a width that is only estimated may be too small
 _TALL = "display("
-_CAPITALS, _LEADING = 0.683, 0.64  # the height of a line of letters, and what is between two lines
+CAPITALS, LEADING = 0.683, 0.64  # the height of a line of letters, and what is between two lines
 
 # What has room in a column by itself, without being set smaller.
 WIDEST = COLUMN - _ROOM - _STOP - (_SIGN + _AFTER_SIGN)
@@ -66,47 +65,69 @@ class Line(Struct):
         self.items.append((0.0, mark, None))
         self.end += _STOP
 
-    def data(self, letters: bool, table: FragmentTable | None = None) -> list[Any]:
-        """Indent, scale, lowest and highest ink of what is taller than a line of text, fragments."""
+    def fragments(self, letters: bool) -> tuple[Fragment, ...]:
+        """What is on it, as letters or as formulas for the engine."""
         found = LetterLine()
         for gap, sign, piece in self.items:
             found.space(gap)
             if sign:
                 found.letters(FULL, sign)
                 found.space(_AFTER_SIGN if piece else 0.0)
-            made = set_piece(piece) if piece and letters else None
+            made = set_whole_piece(piece) if piece and letters else None
             if made:
                 found.extend(made.fragments)
                 found.space(made.rest)
             elif piece:
                 found.put((piece,))
-        fragments = found.found()
-        own = fragments if table is None else table.numbers(fragments)
-        return [self.indent, round(self.scale, 3), self.bottom, self.top, own]
+        return found.found()
+
+    def apart(self) -> tuple[tuple[Fragment, ...], list[PlacedMark]]:
+        """Of a line that is known, its letters, and apart from them, from its indent, its signs that grow and bars."""
+        found = LetterLine()
+        marks: list[PlacedMark] = []
+        x = 0.0
+        for gap, sign, piece in self.items:
+            found.space(gap)
+            x += gap
+            if sign:
+                found.letters(FULL, sign)
+                if piece:
+                    found.space(_AFTER_SIGN)
+                    x += _SIGN + _AFTER_SIGN
+                else:
+                    x += _STOP
+            if piece and (made := set_piece(piece)):
+                found.extend(made.fragments)
+                found.space(made.rest)
+                marks += [(rounded(x + right), up, what) for right, up, what in made.marks]
+                x += made.width
+        return found.found(), marks
+
+    @property
+    def baseline(self) -> float:
+        """How far below its top its letters stand (em)."""
+        return self.scale * max(CAPITALS, self.top)
+
+    @property
+    def high(self) -> float:
+        """Its whole height (em)."""
+        return self.scale * (max(CAPITALS, self.top) - self.bottom)
 
 
-class Row(Lettered, Struct, frozen=True):
+class Row(Struct, frozen=True):
     """A row in lines; ``wide``: as the page."""
 
     wide: bool
     lines: Sequence[Line]
 
-    def data(self, letters: bool, table: FragmentTable | None = None) -> dict[str, Any]:
-        """Its lines and its height (em), which is negative if the engine has to measure it."""
-        known = letters and all(line.known for line in self.lines)
-        return {
-            "wide": self.wide,
-            "high": rounded(self.high) if known else -1,
-            "lines": [line.data(letters, table) for line in self.lines],
-        }
+    def known_height(self, letters: bool) -> float | None:
+        """The height (em), or None if the engine has to measure it."""
+        return rounded(self.high) if letters and all(line.known for line in self.lines) else None
 
     @property
     def high(self) -> float:
         """The height of lines of letters (em)."""
-        own = (max(_CAPITALS, line.top) - line.bottom for line in self.lines)
-        return sum(line.scale * high for line, high in zip(self.lines, own, strict=True)) + _LEADING * (
-            len(self.lines) - 1
-        )
+        return sum(line.high for line in self.lines) + LEADING * (len(self.lines) - 1)
 
 
 def in_lines(row: Formulas, mark: str) -> Row:

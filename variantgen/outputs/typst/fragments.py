@@ -32,6 +32,8 @@ Style = tuple[float, float, int]
 Text = tuple[float, float, int, str]
 # How far up, name of a sign or width of a bar.
 Mark = tuple[float, str | float]
+# How far right of the start of a line, how far up, name of a sign or width of a bar.
+PlacedMark = tuple[float, float, str | float]
 Fragment = str | float | Text | Mark | tuple[str]
 
 
@@ -126,17 +128,22 @@ def _style(fragment: Fragment) -> Style | None:
     return fragment[:3] if isinstance(fragment, tuple) and len(fragment) == 4 else None
 
 
-def fragments_of(lettering: Lettering) -> tuple[tuple[Fragment, ...], float]:
+def fragments_of(lettering: Lettering, marks: list[PlacedMark] | None = None) -> tuple[tuple[Fragment, ...], float]:
     """The letters and bars of a formula, and where the last of them ends.
 
-    Letters after each other are one fragment, which the engine spaces itself.
+    Letters after each other are one fragment, which the engine spaces itself. Signs that grow and bars become
+    ``marks``, if those are wanted apart.
     """
     line = LetterLine()
     end = 0.0
     for word in _words(lettering.letters):
         (first, start), (last, at) = word[0], word[-1]
+        stretched = first.glyphs[0].name[1] == STRETCHED
+        if stretched and marks is not None:
+            marks.append((start.real, start.imag, first.glyphs[0].name))
+            continue
         line.space(start.real - end)
-        if first.glyphs[0].name[1] == STRETCHED:
+        if stretched:
             line.put((rounded(start.imag), first.glyphs[0].name))
             end = start.real
         else:
@@ -145,6 +152,9 @@ def fragments_of(lettering: Lettering) -> tuple[tuple[Fragment, ...], float]:
             line.letters((rounded(start.imag), size, level), text)
             end = at.real + last.end
     for bar in lettering.bars:
+        if marks is not None:
+            marks.append((bar.at.real, bar.at.imag, bar.width))
+            continue
         line.space(bar.at.real - end)
         line.put((rounded(bar.at.imag), rounded(bar.width)))
         end = bar.at.real

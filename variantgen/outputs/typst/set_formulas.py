@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from variantgen.figure.letters.letter_run import UNKNOWN
 from variantgen.figure.letters.lettering import lettering
-from variantgen.outputs.typst.fragments import Fragment, FragmentTable, fragments_of, rounded
+from variantgen.outputs.typst.fragments import Fragment, FragmentTable, PlacedMark, fragments_of, rounded
 from variantgen.outputs.typst.markup import Piece, TypstMarkup, marked
 from variantgen.wording.formula import (
     Equation,
@@ -39,32 +39,29 @@ _LONGEST = 14.0  # em
 
 
 class SetFormula(NamedTuple):
-    """Width, lowest and highest ink (em), fragments, the width that is left after the last of them."""
+    """Width, lowest and highest ink (em), fragments, the width that is left after the last of them.
+
+    ``marks`` are signs that grow and bars, where they are no fragments.
+    """
 
     width: float
     lowest: float
     highest: float
     fragments: tuple[Fragment, ...]
     rest: float
+    marks: tuple[PlacedMark, ...] = ()
 
 
-def set_formulas(data: Any, longer: bool = False) -> dict[str, SetFormula]:
-    """The formulas in the data of a document by their markup.
-
-    ``longer`` sets products and sums too: for documents that break no formula.
-    """
-    return {
-        str(found): made
-        for found in marked(data)
-        if type(found) is TypstMarkup and (made := _set(found.formulas, longer))
-    }
+def set_formulas(data: Any) -> dict[str, SetFormula]:
+    """The formulas in the data of a document by their markup, but for those that it may break into lines."""
+    return {str(found): made for found in marked(data) if type(found) is TypstMarkup and (made := _set(found.formulas))}
 
 
 def numbered(formulas: Mapping[str, SetFormula], table: FragmentTable) -> dict[str, Sequence[Any]]:
     """The same for templates, with the numbers of fragments."""
     return {
         name: (width, lowest, highest, table.numbers(fragments), rest)
-        for name, (width, lowest, highest, fragments, rest) in formulas.items()
+        for name, (width, lowest, highest, fragments, rest, *_) in formulas.items()
     }
 
 
@@ -74,9 +71,19 @@ def set_width(markup: TypstMarkup) -> float | None:
     return made.width if made else None
 
 
+def set_longer(markup: TypstMarkup) -> SetFormula | None:
+    """A formula, also a product or a sum, in a document that breaks none; None for one that is left to the engine."""
+    return _set(markup.formulas, longer=True)
+
+
 @lru_cache(maxsize=10_000)
 def set_piece(piece: Piece) -> SetFormula | None:
-    """A piece of a row, with fractions of full size; None for one that is left to the engine."""
+    """A piece of a row, with fractions of full size and its marks apart; None for one that is left to the engine."""
+    return _typeset(piece.formulas, display=True, apart=True)
+
+
+def set_whole_piece(piece: Piece) -> SetFormula | None:
+    """The same with its marks among the letters, for rows that are measured."""
     return _typeset(piece.formulas, display=True)
 
 
@@ -94,16 +101,17 @@ def _set(formulas: tuple[Formula, ...], longer: bool = False) -> SetFormula | No
     return found if found and found.width <= _LONGEST else None
 
 
-def _typeset(formulas: tuple[Formula, ...], display: bool = False) -> SetFormula | None:
+def _typeset(formulas: tuple[Formula, ...], display: bool = False, apart: bool = False) -> SetFormula | None:
     try:
         found = lettering(formulas, display)
     except (KeyError, TypeError):  # what the table has no letters for
         return None
     if any(glyph.name == UNKNOWN for letters, _ in found.letters for glyph in letters.glyphs):
         return None
-    fragments, end = fragments_of(found)
+    marks: list[PlacedMark] | None = [] if apart else None
+    fragments, end = fragments_of(found, marks)
     width, rest = rounded(found.width), rounded(found.width - end)
-    return SetFormula(width, rounded(found.bottom), rounded(found.top), fragments, rest)
+    return SetFormula(width, rounded(found.bottom), rounded(found.top), fragments, rest, tuple(marks or ()))
 
 
 def _is_set(formula: Formula) -> bool:

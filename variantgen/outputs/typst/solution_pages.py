@@ -7,9 +7,7 @@ for it next. The figure of a statement stands at the head of the right column, b
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from itertools import islice
-from typing import Any
+from collections.abc import Sequence
 
 from msgspec import Struct, field
 from msgspec.structs import replace
@@ -17,7 +15,7 @@ from msgspec.structs import replace
 from variantgen.exam.solution_paper import BETWEEN_COLUMNS, COLUMN, EM, HEIGHT
 
 _ABOUT_COLUMNS, _LEAST_COLUMNS = 2.4, 12.0
-_ABOUT_FIGURE, _UNDER_FIGURE = 3.0, 1.6
+_ABOUT_FIGURE, UNDER_FIGURE = 3.0, 1.6
 _ABOVE_HEADING, _BELOW_HEADING = (6.0, 3.5), 2.5  # the first one below something else, then at the head of a page
 _BELOW_HEAD = 1.2 * EM
 _HALVINGS = 5
@@ -32,7 +30,7 @@ Standing = tuple[str, int, int, float, float, float]
 class Block(Struct, frozen=True):
     """A unit of a problem or, with a ``unit`` of its own, a figure.
 
-    ``figures`` belong to a unit, ``parts`` are where what it consists of begins, from its top.
+    ``figures`` belong to a unit, ``starts`` are where its parts begin, from its top.
     """
 
     kind: str
@@ -42,7 +40,7 @@ class Block(Struct, frozen=True):
     below: float
     wide: bool = False
     figures: tuple[Block, ...] = ()
-    parts: tuple[float, ...] = ()
+    starts: tuple[float, ...] = ()
     unit: float = 0.0
     least: float = 0.0
     drawn: float = 0.0  # the height of the drawing in its units
@@ -86,7 +84,7 @@ class _Columns(Struct):
         return not self.right.units and not self.right.waiting
 
 
-class _Pages(Struct):
+class Pages(Struct):
     """Pages that are filled from above: ``y`` is where the last one ends, ``below`` the space that belongs there."""
 
     room: float
@@ -118,51 +116,25 @@ class _Pages(Struct):
         self.y, self.below = top + found.high, _ABOUT_COLUMNS
 
 
-def contents_of(found: Mapping[str, Any]) -> tuple[float, list[ProblemBlocks]]:
-    """The height of the head and the problems, from what ``solution_heights.typ`` has measured."""
-    heights = iter(found["heights"])
-    head = next(heights)
-    problems = []
-    for problem in found["problems"]:
-        headings = (next(heights), next(heights))
-        stacked = [_stacked(parts, heights) for _, _, parts in problem["units"]]
-        figures = [
-            _figure(number, sizes, caption)
-            for number, (sizes, caption) in enumerate(
-                zip(problem["figures"], list(islice(heights, len(problem["figures"]))), strict=True)
-            )
-        ]
-        blocks = []
-        for number, ((wide, shown, parts), (high, starts)) in enumerate(zip(problem["units"], stacked, strict=True)):
-            own = tuple(figures[figure] for figure in shown)
-            blocks.append(Block("unit", number, high, parts[0][0], parts[-1][1], wide, own, starts))
-        problems.append(ProblemBlocks(headings, tuple(blocks), figures[0]))
-    return head, problems
-
-
-def _stacked(parts: Sequence[Sequence[float]], measured: Iterator[float]) -> tuple[float, tuple[float, ...]]:
-    """The height of parts below each other, and where each begins.
-
-    A part is the space above and below it and its height, which is taken from what was measured if it is negative.
-    """
+def stacked(parts: Sequence[tuple[float, float, float]]) -> tuple[float, tuple[float, ...]]:
+    """The height of parts below each other, and where each begins; a part is the space above, below, its height."""
     starts: list[float] = []
     y = space = 0.0
-    for above, below, known in parts:
+    for above, below, high in parts:
         start = y + max(space, above) if starts else 0.0
         starts.append(round(start, 4))
-        y, space = start + (known if known >= 0 else next(measured)), below
+        y, space = start + high, below
     return y, tuple(starts)
 
 
-def _figure(number: int, sizes: Sequence[float], caption: float) -> Block:
+def figure_block(number: int, drawn: float, unit: float, least: float, caption: float) -> Block:
     """A figure: the height of its drawing in units, millimetres of a unit, the fewest of them; its caption's height."""
-    drawn, unit, least = sizes
-    high = drawn * unit + _UNDER_FIGURE + caption
+    high = drawn * unit + UNDER_FIGURE + caption
     return Block("figure", number, high, _ABOUT_FIGURE, _ABOUT_FIGURE, unit=unit, least=least, drawn=drawn)
 
 
-def pages_of(head: float, problems: Sequence[ProblemBlocks], room: float = HEIGHT) -> dict[str, Any]:
-    """The pages for the template: what stands on each, how high it is on the last one, and the parts of all units."""
+def pages_of(head: float, problems: Sequence[ProblemBlocks], room: float = HEIGHT) -> Pages:
+    """The pages: what stands on each, and how high it is on the last one."""
     found = _laid(head, problems, room)
     if len(found.pages) > 1 and found.y < _LITTLE * room:
         for part in _CLOSER:
@@ -170,13 +142,12 @@ def pages_of(head: float, problems: Sequence[ProblemBlocks], room: float = HEIGH
             if len(tried.pages) < len(found.pages):
                 found = tried
                 break
-    parts = [[unit.parts for unit in problem.units] for problem in problems]
-    return {"pages": found.pages, "high": found.y, "parts": parts}
+    return found
 
 
-def _laid(head: float, problems: Sequence[ProblemBlocks], room: float) -> _Pages:
+def _laid(head: float, problems: Sequence[ProblemBlocks], room: float) -> Pages:
     """The problems on pages, the head above them. No statement stands alone at the foot of a page."""
-    found = _Pages(room)
+    found = Pages(room)
     if head:
         found.put("head", 0, 0, head, 0.0, _BELOW_HEAD)
     for i, problem in enumerate(problems):
@@ -184,7 +155,7 @@ def _laid(head: float, problems: Sequence[ProblemBlocks], room: float) -> _Pages
     return found
 
 
-def _lay(pages: _Pages, number: int, problem: ProblemBlocks) -> None:
+def _lay(pages: Pages, number: int, problem: ProblemBlocks) -> None:
     units: Sequence[Block] = problem.units
     first, second = units[:2]
     after = _LEAST_COLUMNS if first.wide or second.wide else second.above + second.high

@@ -1,7 +1,8 @@
 """The embedded typesetting engine (Typst): documents from a template and data, without system TeX or network.
 
-Everything variable is passed as JSON, so text from outside is never markup. The engine sees a folder that holds the
-templates and this JSON and nothing else, its own fonts only, and a fixed time stamp.
+Everything variable is passed as JSON or, in solutions, as string literals of source text, so text from outside is
+never markup. The engine sees a folder that holds the templates and this data and nothing else, its own fonts only,
+and a fixed time stamp.
 """
 
 from __future__ import annotations
@@ -23,10 +24,13 @@ from msgspec import Struct, field
 from variantgen.errors import ToolMissingError, VariantgenError
 from variantgen.exam.solution_paper import FOR_TEMPLATES, HEIGHT
 from variantgen.figure.drawing import Drawing
+from variantgen.outputs.typst.figure_curves import FigureCurves
 from variantgen.outputs.typst.fragments import FragmentTable, signs
 from variantgen.outputs.typst.markup import Lettered, alternatives
 from variantgen.outputs.typst.set_formulas import numbered, set_formulas
-from variantgen.outputs.typst.solution_pages import contents_of, is_too_high, pages_of
+from variantgen.outputs.typst.solution_pages import is_too_high, pages_of
+from variantgen.outputs.typst.solution_source import SolutionSource
+from variantgen.outputs.typst.source import TypstSource
 from variantgen.resources import templates_dir
 
 if TYPE_CHECKING:
@@ -62,23 +66,18 @@ class Typesetter(Struct, frozen=True, eq=False):
         A PDF is ``tagged`` for reading aloud, which takes three quarters of the bytes of a solution; ``standards`` are
         those of PDF that it conforms to. Raises TypesettingError where the engine refuses the template.
         """
-        known: dict[str, Any] = {}
-        table = FragmentTable() if form == "pdf" and not tagged else None
-        text = _json(data, table, spoken=form == "pdf" and tagged)
-        if table:
-            known["set-formulas"] = numbered(set_formulas(data, longer=template in _ROOMS), table)
-            known["fragments"] = table.lines()
-        elif form == "pdf":
-            known["alternatives"] = alternatives(data)
-        inputs = self._inputs(form, text, known)
+        spoken = form == "pdf" and tagged
+        letters = form == "pdf" and not tagged
         try:
             if template in _ROOMS:
-                inputs = self._with_pages(inputs, _ROOMS[template])
+                inputs = self._solved(cast(Mapping[str, Any], data), form, letters, _ROOMS[template])
+            else:
+                inputs = self._inputs(form, *self._given(data, form, letters))
             made = _compiler(self.root).compile(
                 self.root / template,
                 format=form,
                 ppi=ppi,
-                sys_inputs=self._told(inputs),
+                sys_inputs=self._told(inputs, spoken),
                 timestamp=_EPOCH,
                 pdf_standards=cast(Any, list(standards)),
                 pdf_tags=tagged,
@@ -90,18 +89,33 @@ class Typesetter(Struct, frozen=True, eq=False):
             raise TypesettingError(f"the typesetting engine refused {template}: {error}") from error
         return [made] if isinstance(made, bytes) else list(made or ())
 
-    def _with_pages(self, inputs: dict[str, str], room: float) -> dict[str, str]:
-        """The inputs with the pages of a solution, for which the engine measures what stands on them.
+    def _given(self, data: Any, form: str, letters: bool) -> tuple[str, dict[str, Any]]:
+        """The data as text, and what else a template is told."""
+        if not letters:
+            known = {"alternatives": alternatives(data)} if form == "pdf" else {}
+            return _json(data, form=form), known
+        table = FragmentTable()
+        text = _json(data, table, form)
+        formulas = numbered(set_formulas(data), table)
+        return text, {"set-formulas": formulas, "fragments": table.lines()}
+
+    def _solved(self, data: Mapping[str, Any], form: str, letters: bool, room: float) -> dict[str, str]:
+        """The inputs for a solution, with its pages, for which the engine measures what stands on them.
 
         The names of the inputs are the same while it measures, when there are no pages yet: what they lead to is then
         remembered.
         """
-        for parted in ("no", "yes"):
-            inputs = {**inputs, "pages": _file("pages"), "parted": parted}
-            head, problems = contents_of(self._asked("solution_heights.typ", inputs))
+        spoken = form == "pdf" and not letters
+        solution = SolutionSource(data, TypstSource(letters, spoken), image=form == "pdf")
+        inputs = {"contents": _file("contents"), "pages": _file("pages")}
+        for parted in (False, True):
+            self._written("contents", solution.text(parted))
+            head, problems = solution.blocks(self._asked("solution_heights.typ", inputs, spoken), parted)
             if not is_too_high(problems):
                 break
-        self._written("pages", _json(pages_of(head, problems, room)))
+        pages = pages_of(head, problems, room)
+        placed = solution.placed(pages.pages, parted, problems)
+        self._written("pages", _json({"pages": placed, "high": pages.y}))
         return inputs
 
     def query(self, template: str, data: Mapping[str, Any], known: Mapping[str, Any]) -> list[float]:
@@ -109,8 +123,8 @@ class Typesetter(Struct, frozen=True, eq=False):
         found: list[float] = self._asked(template, self._inputs("pdf", _json(data), {"set-formulas": known}))
         return found
 
-    def _asked(self, template: str, inputs: dict[str, str]) -> Any:
-        (names,) = self._told(inputs).values()
+    def _asked(self, template: str, inputs: dict[str, str], spoken: bool = False) -> Any:
+        (names,) = self._told(inputs, spoken).values()
         return json.loads(_asking(self.root, template, names).query("<found>", field="value", one=True))
 
     def _inputs(self, form: str, data: str, known: Mapping[str, Any]) -> dict[str, str]:
@@ -131,14 +145,17 @@ class Typesetter(Struct, frozen=True, eq=False):
             self.written[file] = text
         return file
 
-    def _told(self, inputs: Mapping[str, str]) -> dict[str, str]:
-        """All inputs in one file: the engine takes several for others than before, as their order changes."""
-        return {"inputs": self._written("inputs", _json(inputs))}
+    def _told(self, inputs: Mapping[str, str], spoken: bool = False) -> dict[str, str]:
+        """All inputs in one file: the engine takes several for others than before, as their order changes.
+
+        Its name says whether the document has tags: what depends on nothing else the engine makes once.
+        """
+        return {"inputs": self._written("tagged" if spoken else "inputs", _json(inputs))}
 
 
 def _file(name: str) -> str:
-    """The file of this process with what is called so."""
-    return f"{name}-{os.getpid()}.json"
+    """The file of this process with what is called so: data, or source text."""
+    return f"{name}-{os.getpid()}.{'txt' if name == 'contents' else 'json'}"
 
 
 @lru_cache(maxsize=1)
@@ -158,16 +175,18 @@ def _asking(root: Path, template: str, names: str) -> typst.Compiler:
     return typst.Compiler(root / template, root=root, font_paths=[], ignore_system_fonts=True, sys_inputs=inputs)
 
 
-def _json(data: Any, table: FragmentTable | None = None, spoken: bool = False) -> str:
+def _json(data: Any, table: FragmentTable | None = None, form: str = "pdf") -> str:
     """The data as text: with letters by the ``table`` of the document's fragments, if it has one, else with equations.
 
     Drawings stand for their words, which only documents that are read out, with tags, hold.
     """
 
-    def shown(item: Drawing | Lettered) -> Any:
+    def shown(item: Drawing | FigureCurves | Lettered) -> Any:
         if isinstance(item, Lettered):
             return item.data(letters=table is not None, table=table)
-        return item.alt if spoken else ""
+        if isinstance(item, FigureCurves):
+            return item.image if form == "pdf" else item.one_by_one()
+        return item.alt if table is None and form == "pdf" else ""
 
     return json.dumps(data, ensure_ascii=False, separators=(",", ":"), default=shown)
 

@@ -1,17 +1,14 @@
-"""What templates of the typesetting engine get: markup of formulas, runs of text, the paths of figures."""
+"""What templates of the typesetting engine get: markup of formulas, runs of text, figures."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from itertools import islice
+from collections.abc import Sequence
 from typing import Any
 
-import numpy as np
-
-from variantgen.figure.curves import DASHES, Curve, curves, papers
 from variantgen.figure.drawing import LETTER, Drawing
 from variantgen.outputs.qr import qr_rows, qr_svg
 from variantgen.outputs.typst.broken_fraction import in_the_line
+from variantgen.outputs.typst.figure_curves import FigureCurves
 from variantgen.outputs.typst.figure_labels import FigureLabels
 from variantgen.outputs.typst.formula_lines import WIDEST, Row, in_lines
 from variantgen.outputs.typst.markup import Piece, heading, markup, piece
@@ -19,8 +16,6 @@ from variantgen.outputs.typst.set_formulas import set_piece
 from variantgen.outputs.typst.widths import formula_width
 from variantgen.wording.formula import Equation, Formula, Measured, Surd, UnitText
 from variantgen.wording.text import Text, with_steady_dashes
-
-_STEPS = {"M": "M%d %d", "L": "L%d %d", "C": "C%d %d %d %d %d %d", "Z": "Z"}
 
 
 class TypstWriting:
@@ -77,32 +72,12 @@ def _pieces(sign: str, formula: Formula) -> list[tuple[str, Piece]]:
 
 
 def figure_data(drawing: Drawing) -> dict[str, Any]:
-    """A drawing as data for ``figure.typ``: places x, y in whole hundredths of u, y down.
-
-    A curve is weight, fill, dashes and the path, as SVG writes it; the paper under labels comes last. The drawing
-    itself stands for its words, which are made when they are needed.
-    """
-    drawn = [*curves(drawing.lines), *papers(drawing.labels)]
-    points = [point for curve in drawn for _, ends in curve.steps for point in ends]
-    places = iter(_hundredths(points, drawing.height))
+    """A drawing as data for ``figure.typ``. It stands for its words itself, which are made when they are needed."""
     return {
         "w": round(drawing.width, 2),
         "h": round(drawing.height, 2),
         "letter": LETTER,
         "alt": drawing,
-        "curves": [[c.weight, c.fill, DASHES[c.dash], _path(c, places)] for c in drawn],
+        "curves": FigureCurves(drawing),
         "labels": FigureLabels(drawing),
     }
-
-
-def _path(curve: Curve, places: Iterator[int]) -> str:
-    """The steps of a curve with the next places."""
-    form = "".join([_STEPS[kind] for kind, _ in curve.steps])
-    return form % tuple(islice(places, form.count("%")))
-
-
-def _hundredths(points: Sequence[complex], height: float) -> list[int]:
-    """Coordinates in turn, y down from a height."""
-    at = np.array(points, dtype=complex)
-    found: list[int] = np.rint(100 * np.stack((at.real, height - at.imag), axis=-1)).astype(int).ravel().tolist()
-    return found
