@@ -35,7 +35,7 @@ HOOKS = (
     Hook("reading the exam", "variantgen.outputs.typst.coverage:check_letters", whole=True),
     Hook(_DRAW, "variantgen.exam.allocation:ProblemSampler.variants"),
     Hook("equally hard variants: samples", "variantgen.exam.work.work_samples:drawn_sample", whole=True),
-    Hook("equally hard variants: work", "variantgen.exam.work.work_samples:variant_work", whole=True),
+    Hook("equally hard variants: work", "variantgen.exam.work.work_samples:variant_answers", whole=True),
     Hook("keeping variants distinct", "variantgen.exam.allocation:resolve_duplicates", whole=True),
     Hook("keeping variants distinct", "variantgen.variants.similarity:traits", whole=True),
     Hook("verifying", "variantgen.variants.screening:verification", whole=True),
