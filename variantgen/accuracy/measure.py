@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib
-import pkgutil
 import time
 import warnings
 from collections.abc import Callable, Iterable, Sequence
@@ -25,6 +24,7 @@ from variantgen.accuracy.reference.positions import NoSuchPointError
 from variantgen.mechanism.arithmetic import EPS
 from variantgen.mechanism.motion import take_scene
 from variantgen.mechanism.scene import Scene
+from variantgen.resources import module_names
 
 # What can become of a variant besides a result: each is counted, none enters the errors.
 FAILURES = ("exception", "not a number", "refused", "no convergence", "wrong branch")
@@ -64,7 +64,7 @@ class Errors(Struct):
 @cache
 def discovered() -> dict[str, ModuleType]:
     """The ways by name, production first."""
-    names = [info.name for info in pkgutil.iter_modules(algorithms.__path__) if not info.name.startswith("_")]
+    names = [name for name in module_names(algorithms.__path__) if not name.startswith("_")]
     names.sort(key=lambda name: (name != "production", name))
     return {name: importlib.import_module(f"{algorithms.__name__}.{name}") for name in names}
 

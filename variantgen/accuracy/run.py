@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import importlib
 import os
-import pkgutil
 import platform
 from collections.abc import Callable
 from types import ModuleType
@@ -17,6 +16,7 @@ from variantgen.accuracy.integration.compare import PassageErrors, follow
 from variantgen.accuracy.integration.passage import Passage, passing, turning
 from variantgen.accuracy.measure import Errors, discovered, measure, reference_cases
 from variantgen.accuracy.precise import DIGITS, mpmath
+from variantgen.resources import module_names
 from variantgen.version import VERSION
 
 SEED = 20260
@@ -90,7 +90,7 @@ def run(extent: MeasurementExtent, progress: Progress = lambda _: None) -> Measu
 
 def case_modules() -> list[ModuleType]:
     """The classes of cases in the order of the report."""
-    names = [info.name for info in pkgutil.iter_modules(cases.__path__) if not info.name.startswith("_")]
+    names = [name for name in module_names(cases.__path__) if not name.startswith("_")]
     found = [importlib.import_module(f"{cases.__name__}.{name}") for name in names]
     return sorted(found, key=lambda module: int(module.PLACE))
 

@@ -10,13 +10,13 @@ from __future__ import annotations
 import argparse
 import importlib
 import os
-import pkgutil
 import sys
 from collections.abc import Sequence
 
 from variantgen.cli import commands
 from variantgen.cli.messages import tell
 from variantgen.errors import VariantgenError
+from variantgen.resources import module_names
 from variantgen.version import VERSION
 
 _EPILOG = """\
@@ -63,7 +63,7 @@ def _parser(words: Sequence[str]) -> argparse.ArgumentParser:
     )
     parser.add_argument("--version", action="version", version=f"variantgen {VERSION}")
     choices = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
-    known = sorted(info.name for info in pkgutil.iter_modules(commands.__path__))
+    known = module_names(commands.__path__)
     for name in words[:1] if words and words[0] in known else known:
         command = importlib.import_module(f"variantgen.cli.commands.{name}")
         added = choices.add_parser(

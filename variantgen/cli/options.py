@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import argparse
-import pkgutil
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from variantgen.cli.messages import tell
 from variantgen.errors import InputError, Problem
-from variantgen.resources import languages
+from variantgen.resources import languages, module_names
 
 if TYPE_CHECKING:
     from variantgen.outputs.single.explanation import Explanation
@@ -191,5 +190,6 @@ def at_least_one(option: str, value: int) -> int:
 def format_names() -> list[str]:
     """The names of outputs, found without importing them."""
     folder = Path(__file__).parents[1] / "outputs" / "formats"
-    modules = {info.name for info in pkgutil.iter_modules([str(folder)])}
-    return sorted(modules - {"qti"} | {"qti21", "qti30"})  # one module makes both packages of QTI
+    return sorted(
+        {*module_names([str(folder)])} - {"qti"} | {"qti21", "qti30"}
+    )  # one module makes both packages of QTI

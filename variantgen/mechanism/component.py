@@ -7,7 +7,6 @@ fields say what a family file may write there, so that reading, checking and doc
 from __future__ import annotations
 
 import importlib
-import pkgutil
 from functools import cache
 from types import ModuleType
 from typing import Annotated, Any, TypeAlias, get_args, get_origin, get_type_hints
@@ -15,6 +14,7 @@ from typing import Annotated, Any, TypeAlias, get_args, get_origin, get_type_hin
 from msgspec import Struct
 
 from variantgen.mechanism.arithmetic import Real
+from variantgen.resources import module_names
 
 
 class Ref(str):
@@ -135,10 +135,10 @@ def discover(package: str) -> dict[str, type[Struct]]:
     """
     home: ModuleType = importlib.import_module(package)
     found: dict[str, type[Struct]] = {}
-    for info in sorted(pkgutil.iter_modules(home.__path__), key=lambda info: info.name):
-        if info.name.startswith("_"):
+    for kind in module_names(home.__path__):
+        if kind.startswith("_"):
             continue
-        module = importlib.import_module(f"{package}.{info.name}")
+        module = importlib.import_module(f"{package}.{kind}")
         own = [
             item
             for name, item in vars(module).items()
@@ -151,5 +151,5 @@ def discover(package: str) -> dict[str, type[Struct]]:
             own = [item for item in own if item not in {spec.part for other in own for spec in field_specs(other)}]
         if len(own) != 1:
             raise TypeError(f"{module.__name__} must define exactly one public Struct, not {len(own)}")
-        found[info.name] = own[0]
+        found[kind] = own[0]
     return found

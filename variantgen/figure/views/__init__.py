@@ -12,17 +12,17 @@ all figures of a solution are placed together.
 from __future__ import annotations
 
 import importlib
-import pkgutil
 from functools import cache
 from inspect import signature
 from types import ModuleType
 
 from variantgen.errors import InputError, Problem, nearest
+from variantgen.resources import module_names
 
 
 def view_names() -> list[str]:
     """Names of the kinds of figures: ``statement``, ``velocity_plan``, ..."""
-    return sorted(module.name for module in pkgutil.iter_modules(__path__))
+    return module_names(__path__)
 
 
 def is_of_parts(name: str) -> bool:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import importlib
 import os
-import pkgutil
 import tempfile
 from pathlib import Path
 from types import ModuleType
@@ -17,6 +16,7 @@ from variantgen.errors import InputError, Problem, nearest
 from variantgen.figure.drawing import Drawing
 from variantgen.figure.motion.plans import without_millimetres
 from variantgen.methods.graphical.plan_scale import MILLIMETRES
+from variantgen.resources import module_names
 
 
 def unit(drawing: Drawing, width_mm: float | None = None) -> float:
@@ -27,8 +27,8 @@ def unit(drawing: Drawing, width_mm: float | None = None) -> float:
 def back_ends() -> dict[str, ModuleType]:
     """The module for each ending."""
     found = {}
-    for info in sorted(pkgutil.iter_modules(__path__), key=lambda item: item.name):
-        module = importlib.import_module(f"{__name__}.{info.name}")
+    for name in module_names(__path__):
+        module = importlib.import_module(f"{__name__}.{name}")
         found.update(dict.fromkeys(getattr(module, "SUFFIXES", ()), module))
     return found
 

@@ -21,7 +21,6 @@ others help it.
 from __future__ import annotations
 
 import importlib
-import pkgutil
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
@@ -40,12 +39,11 @@ from variantgen.outputs.files.records import RECORDS
 from variantgen.outputs.files.student_groups import GroupFiles, both_halves, by_group
 from variantgen.outputs.run import Run
 from variantgen.outputs.typst.typesetter import Typesetter
+from variantgen.resources import module_names
 from variantgen.tables import Table
 
 _SEVERAL = {"qti": ("qti21", "qti30")}  # modules that make more formats than one
-_MODULES = {
-    name: info.name for info in pkgutil.iter_modules(__path__) for name in _SEVERAL.get(info.name, (info.name,))
-}
+_MODULES = {name: module for module in module_names(__path__) for name in _SEVERAL.get(module, (module,))}
 FORMATS = tuple(sorted(_MODULES))
 COMMON = ("key.csv", "manifest.json")  # files of every build
 
