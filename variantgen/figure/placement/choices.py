@@ -19,7 +19,6 @@ TIGHT = 0.45  # free space that a label never gives up (half of a bold line), u
 INK, CLOSE, _LABEL, _PRODUCT = 100.0, 3.0, 300.0, 15.0
 _BESIDE = 2.4  # u
 _SWEEPS = 4
-_FEW = 32  # candidates of a label that are asked first; seldom another one costs less
 _AWAY = complex(1e6, 1e6)  # far from all paper
 _LEADER_GAP = 0.35  # between a leader and its label or the symbol, u
 
@@ -107,7 +106,6 @@ class _Standing:
         self._places = np.array([choice.place for choice in choices])
         self._boxes = np.array([choice.request.box for choice in choices])
         self._leaders = [choice.leader for choice in choices]
-        self._cheapest: dict[int, tuple[NDArray[np.intp], float]] = {}
 
     def conflicts(self) -> set[int]:
         """The numbers of labels that cover another one or read together with it."""
@@ -116,28 +114,22 @@ class _Standing:
     def move(self, i: int, choice: LabelChoice) -> None:
         """Move a label to the candidate that costs least in view of the others."""
         self._places[i], self._leaders[i] = _AWAY, None
-        if i not in self._cheapest:
-            self._cheapest[i] = _cheapest(choice.costs)
-        some, rest = self._cheapest[i]
-        best, cost = self._best(choice, some)
-        if cost >= rest:
-            best, _ = self._best(choice, np.arange(len(choice.costs)))
-        choice.take(best)
+        choice.take(self._best(choice))
         self._places[i], self._leaders[i] = choice.place, choice.leader
 
-    def _best(self, own: LabelChoice, some: NDArray[np.intp]) -> tuple[int, float]:
-        """The one of ``some`` candidates of a label that costs least in view of what stands, and what it costs."""
-        costs = own.costs[some] + self._overlaps(own, own.places[some])
-        best = costs.argmin()
+    def _best(self, own: LabelChoice) -> int:
+        """The candidate of a label that costs least in view of what stands."""
+        costs: Costs = own.costs + self._overlaps(own)
+        best = int(costs.argmin())
         # What its own leaders would cross only matters where one is wanted.
-        if some[best] >= own.near:
-            led = int(some.searchsorted(own.near))
-            costs[led:] += self._crossed_by_leaders(own.places[some[led:]], own.ends[some[led:] - own.near])
-            best = costs.argmin()
-        return int(some[best]), float(costs[best])
+        if best >= own.near:
+            costs[own.near :] += self._crossed_by_leaders(own)
+            best = int(costs.argmin())
+        return best
 
-    def _overlaps(self, own: LabelChoice, places: Places) -> Costs:
-        """Cost of the labels and leaders under some candidates of a label."""
+    def _overlaps(self, own: LabelChoice) -> Costs:
+        """Cost of the labels and leaders under each candidate of a label."""
+        places = own.places
         half_width, half_height = own.request.box
         # Shape (labels, candidates).
         across = np.abs(places.imag - self._places.imag[:, None])
@@ -158,23 +150,13 @@ class _Standing:
             costs += _LABEL * np.add.reduce(crossed, axis=0)
         return costs
 
-    def _crossed_by_leaders(self, places: Places, ends: Places) -> Costs:
-        """Cost of the labels that leaders from some ends to these places would cross."""
+    def _crossed_by_leaders(self, own: LabelChoice) -> Costs:
+        """Cost of the labels that the leaders of a label would cross."""
         boxes = self._boxes + TIGHT
-        ways = 0.5 * (places - ends)
-        middles = ends + ways - self._places[:, None]
+        ways = 0.5 * (own.places[own.near :] - own.ends)
+        middles = own.ends + ways - self._places[:, None]
         crossed: Costs = _LABEL * np.add.reduce(crosses(middles, ways, (boxes[:, :1], boxes[:, 1:])), axis=0)
         return crossed
-
-
-def _cheapest(costs: Costs) -> tuple[NDArray[np.intp], float]:
-    """The numbers of some of the cheapest candidates, and what every other one costs at least."""
-    if len(costs) <= _FEW:
-        return np.arange(len(costs)), np.inf
-    order = costs.argpartition(_FEW)
-    some = order[:_FEW]
-    some.sort()
-    return some, float(costs[order[_FEW]])
 
 
 def _leader(request: LabelRequest, place: complex, to: complex) -> Path | None:
